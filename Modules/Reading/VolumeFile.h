@@ -1,0 +1,85 @@
+/**
+ * @file    VolumeFile.h
+ * @brief   one function that reads a volume file of any known format
+ *
+ * What comes back is one scalar per voxel as the active point scalars of a vtkImageData, whose first
+ * voxel has the index (0, 0, 0), and the geometry that the file states: voxel (i, j, k) lies at
+ * origin + direction * ((i, j, k) * spacing) in the file's own world and its own unit of length.
+ *
+ * | name          | world                                                                          |
+ * |---------------|--------------------------------------------------------------------------------|
+ * | .raw          | as given by RawVolumeGeometry                                                  |
+ * | .mhd .mha     | MetaImage's own (ITK writes LPS): Offset and TransformMatrix, each row of whose |
+ * |               | list is the direction of one index axis                                        |
+ * | .nrrd .nhdr   | the file's own space (its field "space"): space origin, space directions       |
+ * | .nii .nii.gz  | NIfTI's RAS: the sform where its code is positive, else the qform, else pixdim |
+ * | .vti          | Origin, Spacing and Direction                                                  |
+ *
+ * No format is turned to another's world, so NIfTI's x and y point the other way than those of most
+ * MetaImage files. The direction's columns are orthonormal (for .raw: as given); it may mirror.
+ * Voxels keep the order of the file. Axes that are sheared by more than 1e-3 (the cosine between
+ * two of them; it moves a voxel by less than a quarter of a voxel over 256) are refused, axes
+ * sheared by less are made orthogonal.
+ *
+ * Scalars keep their type and value, NaN and infinity included, with two exceptions: 64-bit integers
+ * become float64 (exact up to 2^53; a warning tells), and NIfTI's scl_slope and scl_inter are
+ * applied, which gives float32, or float64 for types that float32 cannot hold.
+ */
+
+#ifndef VolumeFile_h
+#define VolumeFile_h
+
+#include "PenumbraReadingModule.h" // For export macro
+#include "ScalarTypes.h"
+#include "VolumeReadingError.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace penumbra
+{
+
+/**
+ * What a .raw file does not say about itself.
+ */
+struct RawVolumeGeometry
+{
+  /// Number of voxels along x (fastest in the file), y and z, each 1 or more. Must be given.
+  int dimensions[3] = { 0, 0, 0 };
+  /// One of the eight types of ScalarTypes.h, as VTK's constant. Default: VTK_UNSIGNED_CHAR.
+  int scalarType = VTK_UNSIGNED_CHAR;
+  /// Distance between voxel centres, finite and more than 0. Default: 1.
+  double spacing[3] = { 1.0, 1.0, 1.0 };
+  /// Position of the first voxel's centre, finite. Default: 0.
+  double origin[3] = { 0.0, 0.0, 0.0 };
+  /// Directions of the index axes as the columns of a row-major matrix, finite and invertible; a
+  /// mirroring one is allowed. Default: the identity.
+  double direction[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
+  /// Whether the most significant byte of a voxel comes first. Default: false.
+  bool bigEndian = false;
+  /// Bytes before the first voxel. Header and voxels together must be the whole file. Default: 0.
+  std::uint64_t headerBytes = 0;
+};
+
+/**
+ * Reads the volume at `path` (UTF-8), whose extension, in any case, names its format: .raw, .mhd,
+ * .mha, .nrrd, .nhdr, .nii, .nii.gz or .vti. `raw` is needed for .raw and ignored otherwise. What a
+ * user should know about a volume that could be read is appended to `warnings`, one line each.
+ *
+ * Throws VolumeReadingError, and nothing else, where the file is missing, unreadable, damaged,
+ * longer or shorter than it says, named after another format, without exactly one scalar per voxel,
+ * or has a geometry that no volume can have. Sizes are checked against the file before memory is
+ * asked for. Safe to call from several threads at once.
+ */
+PENUMBRAREADING_EXPORT vtkSmartPointer<vtkImageData> ReadVolumeFile(const std::string& path,
+  const std::optional<RawVolumeGeometry>& raw, std::vector<std::string>& warnings);
+
+}
+
+#endif
