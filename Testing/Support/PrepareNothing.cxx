@@ -1,0 +1,3 @@
+#include "PrepareTests.h"
+
+void penumbra::PrepareTests() {}

@@ -1,0 +1,8 @@
+#include "PrepareTests.h"
+
+#include "OffscreenWindow.h"
+
+void penumbra::PrepareTests()
+{
+  penumbra::UseOffscreenWindows();
+}
