@@ -1,0 +1,159 @@
+/**
+ * @file    LightingRequirements.h
+ * @brief   what a scene's lighting needs, as one plain value
+ *
+ * The value alone decides which GLSL, textures and passes exist. Two scenes with equal requirements
+ * share one program and differ in uniforms only; what a scene does not require is not in the program
+ * at all, and leaving it out never changes the picture.
+ */
+
+#ifndef LightingRequirements_h
+#define LightingRequirements_h
+
+#include "PenumbraLightingModule.h" // For export macro
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkLight;
+class vtkLightCollection;
+class vtkVolumeProperty;
+
+namespace penumbra
+{
+
+/// How light reaches a sample: from one direction everywhere (headlights too), from a point, or from a
+/// point within a cone.
+enum class LightKind
+{
+  Directional,
+  Point,
+  Spot
+};
+constexpr int NumberOfLightKinds = 3;
+
+/// The shadow state of a light; the values are those of vtkVolumeLight::ShadowType.
+enum class ShadowKind
+{
+  None,
+  Soft,
+  Hard
+};
+constexpr int NumberOfShadowKinds = 3;
+
+/// How shadows are computed. Rays marches a shadow ray from every sample that needs one.
+enum class ShadowTechnique
+{
+  Rays
+};
+
+enum class ReflectionModel
+{
+  Phong
+};
+
+enum class GradientEstimator
+{
+  CentralDifferences
+};
+
+/// What cropping hides: nothing, all outside of one box, or any selection of the 27 regions.
+enum class CroppingKind
+{
+  None,
+  Box,
+  Regions
+};
+
+/// How a transfer function is evaluated: by a table, where that is accurate, else by a search among
+/// its points.
+enum class TransferFunctionLookup
+{
+  Table,
+  Points
+};
+
+/// One line of a requirements listing.
+struct RequirementEntry
+{
+  std::string Name;
+  std::string Value;
+  bool Needed;
+};
+
+struct PENUMBRALIGHTING_EXPORT LightingRequirements
+{
+  /// False: every sample has the colour of the transfer function and no light matters.
+  bool Shade = false;
+  /// Lights whose diffuse or specular term can change the picture, by kind and shadow state.
+  std::array<std::array<int, NumberOfShadowKinds>, NumberOfLightKinds> Lights{};
+  ShadowTechnique Technique = ShadowTechnique::Rays;
+  ReflectionModel Reflection = ReflectionModel::Phong;
+  GradientEstimator Gradient = GradientEstimator::CentralDifferences;
+  bool Diffuse = false;
+  bool Specular = false;
+  bool TwoSidedLighting = false;
+  /// Some point or spot light's intensity depends on its distance.
+  bool Attenuation = false;
+  bool GradientOpacity = false;
+  int ClippingPlanes = 0;
+  CroppingKind Cropping = CroppingKind::None;
+  bool Mask = false;
+  TransferFunctionLookup Opacity = TransferFunctionLookup::Table;
+  TransferFunctionLookup GradientOpacityLookup = TransferFunctionLookup::Table;
+
+  bool operator==(const LightingRequirements& other) const;
+  bool operator!=(const LightingRequirements& other) const { return !(*this == other); }
+
+  int GetNumberOfLights() const;
+  int GetNumberOfLights(LightKind kind) const;
+  int GetNumberOfLights(ShadowKind shadow) const;
+  int GetNumberOfShadowedLights() const;
+  bool NeedsNormal() const { return this->GetNumberOfLights() > 0; }
+  bool NeedsGradient() const { return this->NeedsNormal() || this->GradientOpacity; }
+
+  /// All requirements with their values, in the order of the data.
+  std::vector<RequirementEntry> GetEntries() const;
+  /// Names of what this scene does not need, one each.
+  std::vector<std::string> GetLeftOut() const;
+};
+
+/// What of the scene the requirements depend on.
+struct LightedScene
+{
+  /// The transfer functions, Shade and the material of the first component. Not null.
+  vtkVolumeProperty* Property = nullptr;
+  /// The renderer's lights. Null counts as empty.
+  vtkLightCollection* Lights = nullptr;
+  bool TwoSidedLighting = true;
+  int ClippingPlanes = 0;
+  CroppingKind Cropping = CroppingKind::None;
+  bool Mask = false;
+  TransferFunctionLookup Opacity = TransferFunctionLookup::Table;
+  TransferFunctionLookup GradientOpacityLookup = TransferFunctionLookup::Table;
+};
+
+/// The one function that turns a scene into its requirements. It depends on its argument alone.
+PENUMBRALIGHTING_EXPORT LightingRequirements ComputeLightingRequirements(const LightedScene& scene);
+
+/// Kind of a light as the requirements count it.
+PENUMBRALIGHTING_EXPORT LightKind GetLightKind(vtkLight* light);
+
+/// Shadow state of a light; a plain vtkLight has none.
+PENUMBRALIGHTING_EXPORT ShadowKind GetShadowKind(vtkLight* light);
+
+/// Whether the light's diffuse or specular term can change a picture with these material factors. The
+/// ambient term needs no light in the program.
+PENUMBRALIGHTING_EXPORT bool LightsMatter(vtkLight* light, double diffuse, double specular);
+
+/**
+ * The sum of ambient colours times intensities over all lights that are on. Where every one of them
+ * is a plain vtkLight with black ambient colour it is white, so that scenes made for the stock mapper
+ * keep their ambient light. No light on: black.
+ */
+PENUMBRALIGHTING_EXPORT std::array<double, 3> ComputeAmbientLight(vtkLightCollection* lights);
+
+}
+
+#endif
