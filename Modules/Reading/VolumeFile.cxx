@@ -46,6 +46,10 @@ Volume ReadByName(const std::filesystem::path& path, const std::optional<RawVolu
   Warnings& warnings)
 {
   const std::string name = LowerCase(path.filename().u8string());
+  if (!std::filesystem::exists(path))
+  {
+    throw VolumeReadingError("there is no such file");
+  }
   if (std::filesystem::is_directory(path))
   {
     throw VolumeReadingError("it is a folder, and DICOM is not read yet; a file is needed");

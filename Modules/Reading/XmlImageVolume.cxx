@@ -5,12 +5,16 @@
 #include "VoxelArray.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
+#include "vtkDataCompressor.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkXMLDataParser.h"
 #include "vtkXMLImageDataReader.h"
 
 #include <algorithm>
@@ -46,6 +50,41 @@ void Collect(vtkObject*, unsigned long event, void* clientData, void* callData)
   auto& list = event == vtkCommand::ErrorEvent ? messages->errors : messages->warnings;
   list.push_back(TextOf(static_cast<const char*>(callData)));
 }
+
+// Hands out what reports errors of its own beside the reader. Unobserved, they would go to stderr.
+class ObservableReader : public vtkXMLImageDataReader
+{
+public:
+  static ObservableReader* New();
+  vtkTypeMacro(ObservableReader, vtkXMLImageDataReader);
+
+  void ObserveAll(vtkCommand* observer)
+  {
+    this->Observe(this, observer);
+    this->Observe(this->GetExecutive(), observer);
+    this->SetParserErrorObserver(observer);
+  }
+
+  /// The compressor is known once the header has been read.
+  void ObserveCompressor(vtkCommand* observer)
+  {
+    if (this->XMLParser != nullptr)
+    {
+      this->Observe(this->XMLParser->GetCompressor(), observer);
+    }
+  }
+
+private:
+  void Observe(vtkObject* object, vtkCommand* observer)
+  {
+    if (object != nullptr)
+    {
+      object->AddObserver(vtkCommand::ErrorEvent, observer);
+      object->AddObserver(vtkCommand::WarningEvent, observer);
+    }
+  }
+};
+vtkStandardNewMacro(ObservableReader);
 
 void ThrowFirstError(const Messages& messages)
 {
@@ -139,16 +178,13 @@ Volume ReadXmlImageVolume(const std::filesystem::path& path, Warnings& warnings)
   vtkNew<vtkCallbackCommand> collector;
   collector->SetCallback(Collect);
   collector->SetClientData(&messages);
-  vtkNew<vtkXMLImageDataReader> reader;
-  for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
-  {
-    reader->AddObserver(event, collector);
-  }
-  reader->SetParserErrorObserver(collector);
+  vtkNew<ObservableReader> reader;
+  reader->ObserveAll(collector);
   reader->SetFileName(path.u8string().c_str());
   reader->UpdateInformation();
   ThrowFirstError(messages);
   CheckAnnouncedSize(reader, SizeOfFile(path));
+  reader->ObserveCompressor(collector);
   reader->Update();
   ThrowFirstError(messages);
   warnings.insert(warnings.end(), messages.warnings.begin(), messages.warnings.end());

@@ -1,0 +1,152 @@
+#include "AccumulationBuffer.h"
+
+#include "ShaderSource.h"
+
+#include "OpenGLEnumerants.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+namespace penumbra
+{
+
+//------------------------------------------------------------------------------
+AccumulationBuffer::AccumulationBuffer() = default;
+
+//------------------------------------------------------------------------------
+AccumulationBuffer::~AccumulationBuffer() = default;
+
+//------------------------------------------------------------------------------
+bool AccumulationBuffer::Resize(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  for (auto& picture : this->Pictures)
+  {
+    if (picture->GetHandle() && static_cast<int>(picture->GetWidth()) == width &&
+      static_cast<int>(picture->GetHeight()) == height)
+    {
+      continue;
+    }
+    picture->SetContext(window);
+    picture->ResetFormatAndType();
+    picture->SetWrapS(vtkTextureObject::ClampToEdge);
+    picture->SetWrapT(vtkTextureObject::ClampToEdge);
+    picture->SetMinificationFilter(vtkTextureObject::Linear);
+    picture->SetMagnificationFilter(vtkTextureObject::Linear);
+    if (!picture->Create2D(width, height, 4, VTK_FLOAT, false))
+    {
+      return false;
+    }
+  }
+  this->Framebuffer->SetContext(window);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void AccumulationBuffer::Clear(vtkOpenGLRenderWindow* window, int target)
+{
+  this->Framebuffer->RemoveColorAttachment(0);
+  this->Framebuffer->AddColorAttachment(0, this->Pictures[target]);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  window->GetState()->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  window->GetState()->vtkglClear(GL_COLOR_BUFFER_BIT);
+}
+
+//------------------------------------------------------------------------------
+bool AccumulationBuffer::Gather(vtkOpenGLRenderWindow* window, const Viewport& viewport, int width,
+  int height, int draws, const std::function<void(int)>& draw)
+{
+  if (!this->Resize(window, width, height))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  {
+    vtkOpenGLState::ScopedglViewport savedViewport(state);
+    vtkOpenGLState::ScopedglScissor savedScissor(state);
+    vtkOpenGLState::ScopedglClearColor savedClearColor(state);
+    vtkOpenGLState::ScopedglColorMask savedColorMask(state);
+    vtkOpenGLState::ScopedglEnableDisable savedBlend(state, GL_BLEND);
+    state->PushDrawFramebufferBinding();
+    this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglViewport(0, 0, width, height);
+    state->vtkglScissor(0, 0, width, height);
+    this->Clear(window, 1);
+    for (int i = 0; i < draws; ++i)
+    {
+      this->Clear(window, i % 2);
+      this->Previous = this->Pictures[(i + 1) % 2];
+      this->Previous->Activate();
+      draw(i);
+      this->Previous->Deactivate();
+    }
+    this->Framebuffer->RemoveColorAttachment(0);
+    state->PopDrawFramebufferBinding();
+  }
+  this->Previous = nullptr;
+  this->Composite(window, viewport, this->Pictures[(draws - 1) % 2]);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void AccumulationBuffer::ReplaceInsteadOfBlending(vtkOpenGLRenderWindow* window)
+{
+  window->GetState()->vtkglDisable(GL_BLEND);
+}
+
+//------------------------------------------------------------------------------
+int AccumulationBuffer::GetPreviousTextureUnit()
+{
+  return this->Previous ? this->Previous->GetTextureUnit() : 0;
+}
+
+//------------------------------------------------------------------------------
+void AccumulationBuffer::Composite(
+  vtkOpenGLRenderWindow* window, const Viewport& viewport, vtkTextureObject* picture)
+{
+  if (!this->Quad)
+  {
+    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(
+      window, nullptr, GetCompositeShaderSource().c_str(), nullptr);
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  if (!this->Quad->Program)
+  {
+    return;
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport savedViewport(state);
+  vtkOpenGLState::ScopedglEnableDisable savedBlend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable savedDepthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable savedCulling(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglBlendFuncSeparate savedBlendFunction(state);
+  vtkOpenGLState::ScopedglDepthMask savedDepthMask(state);
+  state->vtkglViewport(viewport.X, viewport.Y, viewport.Width, viewport.Height);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->vtkglDepthMask(GL_FALSE);
+  picture->Activate();
+  this->Quad->Program->SetUniformi("scene_accumulated", picture->GetTextureUnit());
+  this->Quad->Render();
+  picture->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void AccumulationBuffer::Release(vtkOpenGLRenderWindow* window)
+{
+  this->Quad.reset();
+  for (auto& picture : this->Pictures)
+  {
+    picture->ReleaseGraphicsResources(window);
+  }
+  this->Framebuffer->ReleaseGraphicsResources(window);
+}
+
+}

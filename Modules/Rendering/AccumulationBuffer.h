@@ -1,0 +1,67 @@
+/**
+ * @file    AccumulationBuffer.h
+ * @brief   where a picture of several draws, or of fewer pixels, is gathered
+ *
+ * Two float pictures take turns: a draw reads what the draws before it gathered from one and writes to
+ * the other. The finished picture is put over the viewport, stretched to its size.
+ */
+
+#ifndef AccumulationBuffer_h
+#define AccumulationBuffer_h
+
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkTextureObject.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+
+namespace penumbra
+{
+
+class AccumulationBuffer
+{
+public:
+  AccumulationBuffer();
+  ~AccumulationBuffer();
+
+  /// A viewport in pixels of the window.
+  struct Viewport
+  {
+    int X = 0;
+    int Y = 0;
+    int Width = 0;
+    int Height = 0;
+  };
+
+  /// Calls draw(i) for each of the draws with the buffer bound for drawing and its viewport set to
+  /// (0, 0, width, height), then composites the result over the viewport. False without float pictures.
+  bool Gather(vtkOpenGLRenderWindow* window, const Viewport& viewport, int width, int height, int draws,
+    const std::function<void(int)>& draw);
+
+  /// To be called just before a draw's primitives: they replace what they cover.
+  static void ReplaceInsteadOfBlending(vtkOpenGLRenderWindow* window);
+
+  /// Unit of the texture that the draw in progress reads.
+  int GetPreviousTextureUnit();
+
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  bool Resize(vtkOpenGLRenderWindow* window, int width, int height);
+  void Clear(vtkOpenGLRenderWindow* window, int target);
+  void Composite(vtkOpenGLRenderWindow* window, const Viewport& viewport, vtkTextureObject* picture);
+
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  std::array<vtkNew<vtkTextureObject>, 2> Pictures;
+  vtkTextureObject* Previous = nullptr;
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+};
+
+}
+
+#endif

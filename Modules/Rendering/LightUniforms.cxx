@@ -1,0 +1,160 @@
+#include "LightUniforms.h"
+
+#include "TransferFunctionTable.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolumeLight.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+LightUniforms::Vector3f ToFloat(const Vector3& vector)
+{
+  return { static_cast<float>(vector[0]), static_cast<float>(vector[1]),
+    static_cast<float>(vector[2]) };
+}
+
+LightUniforms::Vector3f Scaled(const double color[3], double factor)
+{
+  return ToFloat({ color[0] * factor, color[1] * factor, color[2] * factor });
+}
+
+// The lights that matter, in the order of Lights.glsl; lights of one group keep the renderer's order.
+std::vector<vtkLight*> SortLights(vtkLightCollection* lights, vtkVolumeProperty* property)
+{
+  std::vector<vtkLight*> sorted;
+  vtkCollectionSimpleIterator cursor;
+  lights->InitTraversal(cursor);
+  while (vtkLight* light = lights->GetNextLight(cursor))
+  {
+    if (light->GetSwitch() &&
+      LightsMatter(light, property->GetDiffuse(0), property->GetSpecular(0)))
+    {
+      sorted.push_back(light);
+    }
+  }
+  const auto group = [](vtkLight* light) {
+    return NumberOfShadowKinds * static_cast<int>(GetLightKind(light)) +
+      static_cast<int>(GetShadowKind(light));
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+    [&](vtkLight* a, vtkLight* b) { return group(a) < group(b); });
+  return sorted;
+}
+
+Vector3 GetTravelDirection(vtkLight* light)
+{
+  double from[3];
+  double to[3];
+  light->GetTransformedPosition(from);
+  light->GetTransformedFocalPoint(to);
+  return Normalized({ to[0] - from[0], to[1] - from[1], to[2] - from[2] });
+}
+
+// Where the shadow ray begins and the optical depth beyond which a hard shadow is complete.
+LightUniforms::Vector2f GetShadow(vtkLight* light, const VolumeGeometry& geometry)
+{
+  auto* volumeLight = vtkVolumeLight::SafeDownCast(light);
+  if (!volumeLight)
+  {
+    return { 0.0f, 0.0f };
+  }
+  const double bias = volumeLight->GetShadowBias();
+  return { static_cast<float>(bias >= 0.0 ? bias : geometry.SmallestSpacing),
+    static_cast<float>(ComputeExtinction(volumeLight->GetOpacityThreshold(), 1.0)) };
+}
+
+// Direction of a shadow ray in texture coordinates per length of the own frame.
+Vector3 GetShadowDirection(const VolumeGeometry& geometry, const Vector3& towardsLight)
+{
+  const Vector3 direction = MultiplyDirection(geometry.WorldToTexture, towardsLight);
+  const double length = GetLength(MultiplyDirection(geometry.TextureToOwn, direction));
+  const double factor = length > 0.0 ? 1.0 / length : 0.0;
+  return { direction[0] * factor, direction[1] * factor, direction[2] * factor };
+}
+
+void AddDirectional(LightUniforms& uniforms, const VolumeGeometry& geometry, const Vector3& travel)
+{
+  const Vector3 towardsLight = { -travel[0], -travel[1], -travel[2] };
+  uniforms.Position.push_back(ToFloat(GetShadowDirection(geometry, towardsLight)));
+  uniforms.Direction.push_back(ToFloat(towardsLight));
+}
+
+void AddPositional(LightUniforms& uniforms, const VolumeGeometry& geometry, vtkLight* light)
+{
+  double position[3];
+  light->GetTransformedPosition(position);
+  uniforms.Position.push_back(
+    ToFloat(MultiplyPoint(geometry.WorldToTexture, { position[0], position[1], position[2] })));
+  uniforms.Direction.push_back(ToFloat(GetTravelDirection(light)));
+}
+}
+
+//------------------------------------------------------------------------------
+LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* property,
+  const VolumeGeometry& geometry, const Vector3& cameraDirection)
+{
+  LightUniforms uniforms;
+  const std::array<double, 3> ambient = ComputeAmbientLight(lights);
+  uniforms.Ambient = Scaled(ambient.data(), property->GetAmbient(0));
+  uniforms.SpecularPower = static_cast<float>(property->GetSpecularPower(0));
+  for (vtkLight* light : SortLights(lights, property))
+  {
+    if (GetLightKind(light) == LightKind::Directional)
+    {
+      AddDirectional(uniforms, geometry,
+        light->LightTypeIsHeadlight() ? cameraDirection : GetTravelDirection(light));
+    }
+    else
+    {
+      AddPositional(uniforms, geometry, light);
+    }
+    const double intensity = light->GetIntensity();
+    uniforms.Diffuse.push_back(
+      Scaled(light->GetDiffuseColor(), intensity * property->GetDiffuse(0)));
+    uniforms.Specular.push_back(
+      Scaled(light->GetSpecularColor(), intensity * property->GetSpecular(0)));
+    uniforms.Attenuation.push_back(Scaled(light->GetAttenuationValues(), 1.0));
+    const double coneAngle = vtkMath::RadiansFromDegrees(light->GetConeAngle());
+    uniforms.Cone.push_back(
+      { static_cast<float>(std::cos(coneAngle)), static_cast<float>(light->GetExponent()) });
+    uniforms.Shadow.push_back(GetShadow(light, geometry));
+  }
+  return uniforms;
+}
+
+//------------------------------------------------------------------------------
+void LightUniforms::Set(vtkShaderProgram* program) const
+{
+  const auto setVectors = [&](const char* name, const std::vector<Vector3f>& values) {
+    if (!values.empty() && program->IsUniformUsed(name))
+    {
+      program->SetUniform3fv(name, static_cast<int>(values.size()), values.front().data());
+    }
+  };
+  const auto setPairs = [&](const char* name, const std::vector<Vector2f>& values) {
+    if (!values.empty() && program->IsUniformUsed(name))
+    {
+      program->SetUniform2fv(name, static_cast<int>(values.size()), values.front().data());
+    }
+  };
+  setVectors("scene_lightPosition", this->Position);
+  setVectors("scene_lightDirection", this->Direction);
+  setVectors("scene_lightDiffuse", this->Diffuse);
+  setVectors("scene_lightSpecular", this->Specular);
+  setVectors("scene_lightAttenuation", this->Attenuation);
+  setPairs("scene_lightCone", this->Cone);
+  setPairs("scene_lightShadow", this->Shadow);
+  program->SetUniform3f("scene_ambient", this->Ambient.data());
+  program->SetUniformf("scene_specularPower", this->SpecularPower);
+}
+
+}

@@ -1,0 +1,45 @@
+/**
+ * @file    LightUniforms.h
+ * @brief   the lights of a scene as the shader takes them
+ */
+
+#ifndef LightUniforms_h
+#define LightUniforms_h
+
+#include "LightingRequirements.h"
+#include "VolumeGeometry.h"
+
+#include <array>
+#include <vector>
+
+class vtkShaderProgram;
+
+namespace penumbra
+{
+
+/// One entry per light that matters, sorted by kind and shadow state. See Lights.glsl.
+struct LightUniforms
+{
+  using Vector3f = std::array<float, 3>;
+  using Vector2f = std::array<float, 2>;
+
+  std::vector<Vector3f> Position;
+  std::vector<Vector3f> Direction;
+  std::vector<Vector3f> Diffuse;
+  std::vector<Vector3f> Specular;
+  std::vector<Vector3f> Attenuation;
+  std::vector<Vector2f> Cone;
+  std::vector<Vector2f> Shadow;
+  Vector3f Ambient{};
+  float SpecularPower = 1.0f;
+
+  void Set(vtkShaderProgram* program) const;
+};
+
+/// cameraDirection: unit direction of projection, along which headlights shine.
+LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* property,
+  const VolumeGeometry& geometry, const Vector3& cameraDirection);
+
+}
+
+#endif

@@ -1,0 +1,57 @@
+#include "MarchingPlan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+// llvmpipe ends a fragment after 65,535 iterations.
+constexpr double LargestNumberOfIterations = 60000.0;
+// Positions along a ray are floats: beyond 2^20 steps neighbours begin to coincide.
+constexpr double LargestNumberOfSteps = 1048576.0;
+// ShadowRay.glsl takes this many steps an iteration.
+constexpr double ShadowStepsPerIteration = 4.0;
+
+double CountSteps(double length, double stepLength)
+{
+  return std::ceil(length / stepLength) + 1.0;
+}
+
+// The loops of one view step: the step itself, its look-ups, the loop over the lights and their rays.
+double CountIterationsPerStep(const MarchingTask& task, double shadowSteps)
+{
+  const double shadowIterations = std::ceil(shadowSteps / ShadowStepsPerIteration);
+  const double perRay = task.ClippingPlanes +
+    shadowIterations * (1.0 + ShadowStepsPerIteration * task.LookupIterations);
+  return 2.0 + 2.0 * task.LookupIterations + task.Lights + task.ShadowedLights * perRay;
+}
+}
+
+//------------------------------------------------------------------------------
+MarchingPlan PlanMarching(const MarchingTask& task)
+{
+  MarchingPlan plan;
+  const double shortest = task.Diagonal / LargestNumberOfSteps;
+  plan.SampleDistance = std::max(task.SampleDistance, shortest);
+  plan.ShadowSampleDistance = std::max(task.ShadowSampleDistance, shortest);
+
+  const double steps = CountSteps(task.Diagonal, plan.SampleDistance);
+  double perStep =
+    CountIterationsPerStep(task, CountSteps(task.Diagonal, plan.ShadowSampleDistance));
+  while (perStep > LargestNumberOfIterations)
+  {
+    plan.ShadowSampleDistance *= 2.0;
+    perStep = CountIterationsPerStep(task, CountSteps(task.Diagonal, plan.ShadowSampleDistance));
+  }
+  plan.Steps = static_cast<int>(steps);
+  plan.StepsPerDraw =
+    static_cast<int>(std::min(steps, std::floor(LargestNumberOfIterations / perStep)));
+  plan.Draws = (plan.Steps + plan.StepsPerDraw - 1) / plan.StepsPerDraw;
+  plan.Coarsened = plan.SampleDistance > task.SampleDistance ||
+    plan.ShadowSampleDistance > task.ShadowSampleDistance;
+  return plan;
+}
+
+}

@@ -1,0 +1,344 @@
+#include "TransferFunctionTable.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+constexpr int SmallestSize = 1024;
+// Between entries a table is checked at this many even positions of each cell.
+constexpr int ChecksPerCell = 4;
+// Error of the optical depth of one unit distance: relative, or absolute where hardly anything is there.
+// 0.5 % of the depth changes no pixel by more than half a grey level of 255.
+constexpr double RelativeTolerance = 0.005;
+constexpr double AbsoluteTolerance = 2e-4;
+// Both opaque within a unit distance: the difference cannot be seen.
+constexpr double OpaqueDepth = 4.0;
+constexpr double ColorTolerance = 0.004;
+
+struct Point
+{
+  double Scalar;
+  std::array<double, 4> ColorAndOpacity;
+};
+
+std::vector<double> GetPointScalars(const TransferFunctions& functions)
+{
+  std::vector<double> scalars;
+  double values[6];
+  for (int node = 0; node < functions.Opacity->GetSize(); ++node)
+  {
+    functions.Opacity->GetNodeValue(node, values);
+    scalars.push_back(values[0]);
+  }
+  for (int node = 0; functions.Color && node < functions.Color->GetSize(); ++node)
+  {
+    functions.Color->GetNodeValue(node, values);
+    scalars.push_back(values[0]);
+  }
+  for (int node = 0; functions.Gray && node < functions.Gray->GetSize(); ++node)
+  {
+    functions.Gray->GetNodeValue(node, values);
+    scalars.push_back(values[0]);
+  }
+  std::sort(scalars.begin(), scalars.end());
+  return scalars;
+}
+
+std::vector<double> SampleColor(const TransferFunctions& functions, double low, double high, int size)
+{
+  std::vector<double> color(3 * static_cast<size_t>(size), 1.0);
+  if (functions.Color && functions.Color->GetSize() > 0)
+  {
+    functions.Color->GetTable(low, high, size, color.data());
+  }
+  else if (functions.Gray && functions.Gray->GetSize() > 0)
+  {
+    functions.Gray->GetTable(low, high, size, color.data(), 3);
+    for (int entry = 0; entry < size; ++entry)
+    {
+      color[3 * entry + 1] = color[3 * entry + 2] = color[3 * entry];
+    }
+  }
+  return color;
+}
+
+std::vector<double> SampleExtinction(
+  const TransferFunctions& functions, double low, double high, int size)
+{
+  std::vector<double> extinction(size, 0.0);
+  if (functions.Opacity->GetSize() > 0)
+  {
+    functions.Opacity->GetTable(low, high, size, extinction.data());
+  }
+  for (double& value : extinction)
+  {
+    value = ComputeExtinction(value, functions.UnitDistance);
+  }
+  return extinction;
+}
+
+bool DepthsAgree(double exact, double interpolated)
+{
+  const double error = std::abs(exact - interpolated);
+  return error <= AbsoluteTolerance + RelativeTolerance * exact ||
+    std::min(exact, interpolated) > OpaqueDepth;
+}
+
+// Compares the linear interpolation of every ChecksPerCell-th value with the values between.
+bool InterpolationHolds(const std::vector<double>& extinction, const std::vector<double>& color,
+  double unitDistance)
+{
+  const size_t last = extinction.size() - 1;
+  for (size_t cell = 0; cell < last; cell += ChecksPerCell)
+  {
+    for (int check = 1; check < ChecksPerCell; ++check)
+    {
+      const double fraction = static_cast<double>(check) / ChecksPerCell;
+      const auto between = [&](const std::vector<double>& values, size_t stride, size_t channel) {
+        return (1.0 - fraction) * values[stride * cell + channel] +
+          fraction * values[stride * (cell + ChecksPerCell) + channel];
+      };
+      if (!DepthsAgree(extinction[cell + check] * unitDistance, between(extinction, 1, 0) * unitDistance))
+      {
+        return false;
+      }
+      for (size_t channel = 0; channel < 3; ++channel)
+      {
+        if (std::abs(color[3 * (cell + check) + channel] - between(color, 3, channel)) > ColorTolerance)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+void KeepEvery(int stride, int components, const std::vector<double>& from, std::vector<float>& to)
+{
+  to.clear();
+  const size_t size = from.size() / components;
+  for (size_t entry = 0; entry < size; entry += stride)
+  {
+    for (int component = 0; component < components; ++component)
+    {
+      to.push_back(static_cast<float>(from[components * entry + component]));
+    }
+  }
+}
+
+bool FillTable(const TransferFunctions& functions, int size, TransferFunctionTable& table)
+{
+  const int checked = (size - 1) * ChecksPerCell + 1;
+  const std::vector<double> extinction =
+    SampleExtinction(functions, table.Low, table.High, checked);
+  const std::vector<double> color = SampleColor(functions, table.Low, table.High, checked);
+  KeepEvery(ChecksPerCell, 1, extinction, table.Extinction);
+  KeepEvery(ChecksPerCell, 3, color, table.Color);
+  return InterpolationHolds(extinction, color, functions.UnitDistance);
+}
+
+// Sizes to try, ascending. Entries of integer data fall on the integers, where points mostly are.
+std::vector<int> GetSizes(const TransferFunctionTable& table, bool integerData, int largestSize)
+{
+  std::vector<int> sizes;
+  const double cells = table.High - table.Low;
+  if (integerData && cells < largestSize)
+  {
+    for (double size = cells; size < largestSize; size *= 2.0)
+    {
+      if (size + 1 >= SmallestSize || 2.0 * size >= largestSize)
+      {
+        sizes.push_back(static_cast<int>(size) + 1);
+      }
+    }
+    return sizes;
+  }
+  for (int size = SmallestSize; size <= largestSize; size *= 2)
+  {
+    sizes.push_back(size);
+  }
+  return sizes;
+}
+
+// Whether the functions are straight lines between their points, clamped beyond them.
+bool ArePiecewiseLinear(const TransferFunctions& functions)
+{
+  const auto isStraight = [](vtkPiecewiseFunction* function) {
+    double node[4];
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      function->GetNodeValue(i, node);
+      if (node[2] != 0.5 || node[3] != 0.0)
+      {
+        return false;
+      }
+    }
+    return function->GetClamping() != 0 && !function->GetUseLogScale();
+  };
+  if (!isStraight(functions.Opacity) || (functions.Gray && !isStraight(functions.Gray)))
+  {
+    return false;
+  }
+  if (!functions.Color)
+  {
+    return true;
+  }
+  double node[6];
+  for (int i = 0; i < functions.Color->GetSize(); ++i)
+  {
+    functions.Color->GetNodeValue(i, node);
+    if (node[4] != 0.5 || node[5] != 0.0)
+    {
+      return false;
+    }
+  }
+  return functions.Color->GetColorSpace() == VTK_CTF_RGB &&
+    functions.Color->GetScale() == VTK_CTF_LINEAR && functions.Color->GetClamping() != 0;
+}
+
+// The values of all functions at a scalar, approached from one side, so that a step has both its ends.
+template <int Components, typename Function>
+std::array<double, Components> GetLimit(Function* function, double scalar, bool fromBelow, int firstValue)
+{
+  std::array<double, Components> result{};
+  double left[6];
+  double right[6];
+  const int size = function->GetSize();
+  int next = 0;
+  for (; next < size; ++next)
+  {
+    function->GetNodeValue(next, right);
+    if (fromBelow ? right[0] >= scalar : right[0] > scalar)
+    {
+      break;
+    }
+  }
+  function->GetNodeValue(std::max(next - 1, 0), left);
+  function->GetNodeValue(std::min(next, size - 1), right);
+  const double width = right[0] - left[0];
+  const double fraction = width > 0.0 ? (scalar - left[0]) / width : 0.0;
+  for (int component = 0; component < Components; ++component)
+  {
+    const int value = firstValue + component;
+    result[component] = (1.0 - fraction) * left[value] + fraction * right[value];
+  }
+  return result;
+}
+
+Point GetPoint(const TransferFunctions& functions, double scalar, bool fromBelow)
+{
+  Point point{ scalar, { 1.0, 1.0, 1.0, 0.0 } };
+  if (functions.Opacity->GetSize() > 0)
+  {
+    point.ColorAndOpacity[3] = GetLimit<1>(functions.Opacity, scalar, fromBelow, 1)[0];
+  }
+  if (functions.Color && functions.Color->GetSize() > 0)
+  {
+    const auto color = GetLimit<3>(functions.Color, scalar, fromBelow, 1);
+    std::copy(color.begin(), color.end(), point.ColorAndOpacity.begin());
+  }
+  else if (functions.Gray && functions.Gray->GetSize() > 0)
+  {
+    std::fill_n(
+      point.ColorAndOpacity.begin(), 3, GetLimit<1>(functions.Gray, scalar, fromBelow, 1)[0]);
+  }
+  return point;
+}
+
+void FillPoints(
+  const TransferFunctions& functions, std::vector<double> scalars, TransferFunctionTable& table)
+{
+  scalars.erase(std::unique(scalars.begin(), scalars.end()), scalars.end());
+  std::vector<Point> points;
+  for (double scalar : scalars)
+  {
+    const Point below = GetPoint(functions, scalar, true);
+    const Point above = GetPoint(functions, scalar, false);
+    points.push_back(below);
+    if (above.ColorAndOpacity != below.ColorAndOpacity)
+    {
+      points.push_back(above);
+    }
+  }
+  table.Lookup = TransferFunctionLookup::Points;
+  table.Low = scalars.front();
+  table.High = scalars.back();
+  table.Points.assign(8 * points.size(), 0.0f);
+  for (size_t i = 0; i < points.size(); ++i)
+  {
+    table.Points[4 * i] = static_cast<float>(points[i].Scalar - table.Low);
+    for (size_t channel = 0; channel < 4; ++channel)
+    {
+      table.Points[4 * (points.size() + i) + channel] =
+        static_cast<float>(points[i].ColorAndOpacity[channel]);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+double ComputeExtinction(double opacity, double unitDistance)
+{
+  constexpr double largestOpacity = 1.0 - 1.0 / 16777216.0;
+  return -std::log1p(-std::clamp(opacity, 0.0, largestOpacity)) / unitDistance;
+}
+
+//------------------------------------------------------------------------------
+TransferFunctionTable MakeTransferFunctionTable(const TransferFunctions& functions, int largestSize)
+{
+  TransferFunctionTable table;
+  const std::vector<double> scalars = GetPointScalars(functions);
+  const double first = scalars.empty() ? functions.DataLow : scalars.front();
+  const double last = scalars.empty() ? functions.DataHigh : scalars.back();
+  table.Low = std::clamp(first, functions.DataLow, functions.DataHigh);
+  table.High = std::clamp(last, functions.DataLow, functions.DataHigh);
+  if (functions.IntegerData)
+  {
+    table.Low = std::floor(table.Low);
+    table.High = std::ceil(table.High);
+  }
+  // One cell more than nothing, so that a constant is a table like any other.
+  if (table.High <= table.Low)
+  {
+    table.High = table.Low + std::max(1.0, std::abs(table.Low) * 1e-6);
+  }
+  for (int size : GetSizes(table, functions.IntegerData, largestSize))
+  {
+    if (FillTable(functions, size, table))
+    {
+      return table;
+    }
+  }
+  if (ArePiecewiseLinear(functions) && !scalars.empty())
+  {
+    FillPoints(functions, scalars, table);
+  }
+  return table;
+}
+
+//------------------------------------------------------------------------------
+GradientOpacityTable MakeGradientOpacityTable(vtkPiecewiseFunction* function, int size)
+{
+  GradientOpacityTable table;
+  table.Opacity.assign(size, 1.0f);
+  if (function->GetSize() > 0)
+  {
+    double node[4];
+    function->GetNodeValue(0, node);
+    table.Low = node[0];
+    function->GetNodeValue(function->GetSize() - 1, node);
+    table.High = node[0] > table.Low ? node[0] : table.Low + 1.0;
+    function->GetTable(table.Low, table.High, size, table.Opacity.data());
+  }
+  return table;
+}
+
+}

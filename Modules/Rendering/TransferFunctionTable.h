@@ -1,0 +1,70 @@
+/**
+ * @file    TransferFunctionTable.h
+ * @brief   transfer functions as tables, or as their own points where no table is accurate
+ *
+ * A table is even in the scalar and holds extinction and colour. It is accepted where, between its
+ * entries, it keeps the extinction and the colour within the tolerances stated in the source. Functions
+ * that no table of the largest size can hold (steps and ramps much narrower than the range of their
+ * points) are evaluated exactly, by a search among their points.
+ */
+
+#ifndef TransferFunctionTable_h
+#define TransferFunctionTable_h
+
+#include "LightingRequirements.h"
+#include "PenumbraRenderingModule.h" // For export macro
+
+#include <vector>
+
+class vtkColorTransferFunction;
+class vtkPiecewiseFunction;
+
+namespace penumbra
+{
+
+struct TransferFunctions
+{
+  vtkPiecewiseFunction* Opacity = nullptr;
+  /// One of the two; a gray function gives all three channels.
+  vtkColorTransferFunction* Color = nullptr;
+  vtkPiecewiseFunction* Gray = nullptr;
+  double UnitDistance = 1.0;
+  double DataLow = 0.0; ///< the volume's finite range
+  double DataHigh = 0.0;
+  bool IntegerData = false;
+};
+
+/// Extinction per length of matter whose opacity per unit distance this is (MODEL: at most 1 - 2^-24).
+PENUMBRARENDERING_EXPORT double ComputeExtinction(double opacity, double unitDistance);
+
+struct TransferFunctionTable
+{
+  TransferFunctionLookup Lookup = TransferFunctionLookup::Table;
+  double Low = 0.0; ///< scalar of the first entry
+  double High = 0.0;
+  std::vector<float> Extinction; ///< Table
+  std::vector<float> Color;      ///< Table: 3 an entry
+  /// Points: one row of scalars relative to Low (4 floats each, the first counts), one of colour and opacity.
+  std::vector<float> Points;
+
+  int GetSize() const { return static_cast<int>(this->Extinction.size()); }
+  int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 8); }
+};
+
+PENUMBRARENDERING_EXPORT TransferFunctionTable MakeTransferFunctionTable(
+  const TransferFunctions& functions, int largestSize);
+
+/// A table of a gradient opacity function over its own points' range.
+struct GradientOpacityTable
+{
+  double Low = 0.0;
+  double High = 0.0;
+  std::vector<float> Opacity;
+};
+
+PENUMBRARENDERING_EXPORT GradientOpacityTable MakeGradientOpacityTable(
+  vtkPiecewiseFunction* function, int size);
+
+}
+
+#endif

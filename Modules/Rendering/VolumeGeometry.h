@@ -1,0 +1,90 @@
+/**
+ * @file    VolumeGeometry.h
+ * @brief   where a volume and its rays are, in double precision
+ *
+ * Everything the shader marches in texture coordinates is composed here in double precision and only
+ * the products become floats: volumes far from the origin, tiny or huge ones keep their digits.
+ *
+ * Texture coordinates t of a voxel index i among n voxels: t = (i + 1/2) / n. The volume's box runs from
+ * the first to the last voxel centre; along an axis with a single voxel it is one spacing thick.
+ */
+
+#ifndef VolumeGeometry_h
+#define VolumeGeometry_h
+
+#include "PenumbraRenderingModule.h" // For export macro
+
+#include <array>
+
+class vtkImageData;
+class vtkMatrix4x4;
+class vtkPlane;
+
+namespace penumbra
+{
+
+using Vector3 = std::array<double, 3>;
+/// Row-major, acting on columns, like vtkMatrix4x4.
+using Matrix3 = std::array<double, 9>;
+using Matrix4 = std::array<double, 16>;
+
+/// Product of a matrix's linear part and a vector.
+PENUMBRARENDERING_EXPORT Vector3 MultiplyDirection(const Matrix4& matrix, const Vector3& direction);
+/// Image of a point under an affine matrix.
+PENUMBRARENDERING_EXPORT Vector3 MultiplyPoint(const Matrix4& matrix, const Vector3& point);
+PENUMBRARENDERING_EXPORT double GetLength(const Vector3& vector);
+/// The vector divided by its length; 0 stays 0.
+PENUMBRARENDERING_EXPORT Vector3 Normalized(const Vector3& vector);
+
+/// The box of a volume and the maps between its frames.
+struct PENUMBRARENDERING_EXPORT VolumeGeometry
+{
+  std::array<int, 3> Dimensions{};
+  Matrix4 TextureToOwn{};   ///< to origin + direction * (index * spacing)
+  Matrix4 TextureToWorld{}; ///< to the world, by the actor's matrix
+  Matrix4 WorldToTexture{};
+  Vector3 BoxLow{};  ///< the visible box in texture coordinates, cropped
+  Vector3 BoxHigh{};
+  Vector3 FullBoxLow{}; ///< the whole box
+  Vector3 FullBoxHigh{};
+  double SmallestSpacing = 1.0;
+  double MeanSpacing = 1.0;
+
+  /// Length of the visible box's longest diagonal in the volume's own frame.
+  double GetDiagonal() const;
+  /// A clipping plane as (a, b, c, d) in texture coordinates, positive on the side that is kept.
+  std::array<double, 4> GetPlane(vtkPlane* plane) const;
+  /// Maps differences of the scalar per voxel to a vector along the gradient in the world.
+  Matrix3 GetGradientToWorld() const;
+  /// Maps differences of the scalar per voxel to the gradient in the own frame times the mean spacing.
+  Matrix3 GetGradientToMagnitude() const;
+};
+
+/// Geometry of an image under an actor's matrix. False where no inverse exists.
+PENUMBRARENDERING_EXPORT bool ComputeVolumeGeometry(
+  vtkImageData* image, vtkMatrix4x4* actorMatrix, VolumeGeometry& geometry);
+
+/// Texture coordinates of cropping planes, which are given along each axis as origin + index * spacing.
+/// low and high are ordered per axis.
+PENUMBRARENDERING_EXPORT void ComputeCroppingPlanes(
+  vtkImageData* image, const double planes[6], Vector3& low, Vector3& high);
+
+/// View rays in texture coordinates as linear functions of the position (x, y) on the image plane in
+/// normalized device coordinates: base + t * direction, the eye at t = EyeParameter.
+struct PENUMBRARENDERING_EXPORT ViewRays
+{
+  Matrix3 Base{};      ///< columns: x, y, 1
+  Matrix3 Direction{};
+  double EyeParameter = 0.0;
+  std::array<double, 4> ClipDepth{}; ///< rows z and w of the map from texture to clip coordinates
+  std::array<double, 4> ClipW{};
+  Matrix4 TextureToClip{};
+};
+
+/// Rays of a camera. worldToClip is the whole projection, z of the near plane -1.
+PENUMBRARENDERING_EXPORT bool ComputeViewRays(
+  const VolumeGeometry& geometry, const Matrix4& worldToClip, const Vector3& eye, ViewRays& rays);
+
+}
+
+#endif

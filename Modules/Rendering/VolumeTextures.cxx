@@ -1,0 +1,289 @@
+#include "VolumeTextures.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+constexpr int LargestTableSize = 8192;
+constexpr int GradientOpacityTableSize = 4096;
+
+bool IsInteger(int scalarType)
+{
+  return scalarType != VTK_FLOAT && scalarType != VTK_DOUBLE;
+}
+
+void Prepare(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int filter)
+{
+  texture->SetContext(window);
+  texture->ResetFormatAndType();
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(filter);
+  texture->SetMagnificationFilter(filter);
+}
+
+// Scale and offset from what the scalar texture returns to the coordinate of an even table whose first
+// and last entries, at the centres of their texels, belong to low and high.
+std::array<float, 2> GetTableCoordinate(
+  double low, double high, size_t size, double scale, double offset)
+{
+  const double texels = static_cast<double>(size);
+  const double perScalar = (texels - 1.0) / (texels * (high - low));
+  return { static_cast<float>(perScalar * scale),
+    static_cast<float>((offset - low) * perScalar + 0.5 / texels) };
+}
+
+std::array<float, 9> ToColumns(const Matrix3& matrix, double factor)
+{
+  std::array<float, 9> columns;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      columns[3 * column + row] = static_cast<float>(matrix[3 * row + column] * factor);
+    }
+  }
+  return columns;
+}
+
+void SetSampler(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
+{
+  if (program->IsUniformUsed(name))
+  {
+    program->SetUniformi(name, texture->GetTextureUnit());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool VolumeTextures::UpdateScalars(
+  vtkOpenGLRenderWindow* window, vtkImageData* image, vtkDataArray* scalars)
+{
+  if (this->Scalars.GetTexture()->GetHandle() && scalars == this->LoadedScalars &&
+    std::max(image->GetMTime(), scalars->GetMTime()) < this->ScalarsTime)
+  {
+    return true;
+  }
+  std::array<int, 3> dimensions;
+  image->GetDimensions(dimensions.data());
+  if (!this->Scalars.Load(window, scalars, dimensions))
+  {
+    return false;
+  }
+  this->LoadedScalars = scalars;
+  this->IntegerData = IsInteger(scalars->GetDataType());
+  this->ScalarsTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool VolumeTextures::UpdateMask(vtkOpenGLRenderWindow* window, vtkImageData* mask)
+{
+  if (!mask)
+  {
+    this->Mask->ReleaseGraphicsResources(window);
+    this->LoadedMask = nullptr;
+    return true;
+  }
+  if (mask == this->LoadedMask && mask->GetMTime() < this->MaskTime)
+  {
+    return true;
+  }
+  std::array<int, 3> dimensions;
+  mask->GetDimensions(dimensions.data());
+  if (!LoadMask(this->Mask, window, mask->GetPointData()->GetScalars(), dimensions))
+  {
+    return false;
+  }
+  this->LoadedMask = mask;
+  this->MaskTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void VolumeTextures::UpdateTransferFunctions(
+  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
+{
+  const bool loaded = this->Extinction->GetHandle() || this->Points->GetHandle();
+  if (loaded && property == this->LoadedProperty &&
+    std::max(property->GetMTime(), this->ScalarsTime.GetMTime()) < this->TransferFunctionTime)
+  {
+    return;
+  }
+  TransferFunctions functions;
+  functions.Opacity = property->GetScalarOpacity(0);
+  if (property->GetColorChannels(0) == 3)
+  {
+    functions.Color = property->GetRGBTransferFunction(0);
+  }
+  else
+  {
+    functions.Gray = property->GetGrayTransferFunction(0);
+  }
+  functions.UnitDistance = property->GetScalarOpacityUnitDistance(0);
+  functions.DataLow = this->Scalars.GetRange().Low;
+  functions.DataHigh = this->Scalars.GetRange().High;
+  functions.IntegerData = this->IntegerData;
+  this->Table = MakeTransferFunctionTable(
+    functions, std::min(LargestTableSize, vtkTextureObject::GetMaximumTextureSize(window)));
+  if (this->Table.Lookup == TransferFunctionLookup::Table)
+  {
+    this->LoadTable(window);
+  }
+  else
+  {
+    this->LoadPoints(window);
+  }
+  this->LoadGradientOpacity(window, property);
+  this->LoadedProperty = property;
+  this->TransferFunctionTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void VolumeTextures::LoadTable(vtkOpenGLRenderWindow* window)
+{
+  this->Points->ReleaseGraphicsResources(window);
+  Prepare(this->Extinction, window, vtkTextureObject::Linear);
+  Prepare(this->Color, window, vtkTextureObject::Linear);
+  const int size = this->Table.GetSize();
+  this->Extinction->Create1DFromRaw(size, 1, VTK_FLOAT, this->Table.Extinction.data());
+  this->Color->Create1DFromRaw(size, 3, VTK_FLOAT, this->Table.Color.data());
+}
+
+//------------------------------------------------------------------------------
+void VolumeTextures::LoadPoints(vtkOpenGLRenderWindow* window)
+{
+  this->Extinction->ReleaseGraphicsResources(window);
+  this->Color->ReleaseGraphicsResources(window);
+  const int points = this->Table.GetNumberOfPoints();
+  std::vector<float> rows = this->Table.Points;
+  const double scale = this->Scalars.GetEncoding().Scale;
+  for (int point = 0; point < points; ++point)
+  {
+    rows[4 * point] = static_cast<float>(rows[4 * point] / scale);
+  }
+  Prepare(this->Points, window, vtkTextureObject::Nearest);
+  this->Points->Create2DFromRaw(points, 2, 4, VTK_FLOAT, rows.data());
+}
+
+//------------------------------------------------------------------------------
+void VolumeTextures::LoadGradientOpacity(
+  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
+{
+  if (!property->HasGradientOpacity(0) || property->GetDisableGradientOpacity(0))
+  {
+    this->GradientOpacityTexture->ReleaseGraphicsResources(window);
+    return;
+  }
+  this->GradientOpacity =
+    MakeGradientOpacityTable(property->GetGradientOpacity(0), GradientOpacityTableSize);
+  Prepare(this->GradientOpacityTexture, window, vtkTextureObject::Linear);
+  this->GradientOpacityTexture->Create1DFromRaw(
+    GradientOpacityTableSize, 1, VTK_FLOAT, this->GradientOpacity.Opacity.data());
+}
+
+//------------------------------------------------------------------------------
+int VolumeTextures::GetLookupIterations() const
+{
+  if (this->Table.Lookup == TransferFunctionLookup::Table)
+  {
+    return 0;
+  }
+  return static_cast<int>(std::ceil(std::log2(std::max(this->Table.GetNumberOfPoints(), 2)))) + 1;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTextureObject*> VolumeTextures::GetLoaded() const
+{
+  std::vector<vtkTextureObject*> loaded;
+  for (vtkTextureObject* texture : std::initializer_list<vtkTextureObject*>{
+         this->Scalars.GetTexture(), this->Mask, this->Extinction, this->Color, this->Points,
+         this->GradientOpacityTexture })
+  {
+    if (texture->GetHandle())
+    {
+      loaded.push_back(texture);
+    }
+  }
+  return loaded;
+}
+
+//------------------------------------------------------------------------------
+void VolumeTextures::Activate()
+{
+  for (vtkTextureObject* texture : this->GetLoaded())
+  {
+    texture->Activate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeTextures::Deactivate()
+{
+  for (vtkTextureObject* texture : this->GetLoaded())
+  {
+    texture->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeTextures::SetUniforms(
+  vtkShaderProgram* program, const VolumeGeometry& geometry, double unitDistance) const
+{
+  const ScalarEncoding& encoding = this->Scalars.GetEncoding();
+  SetSampler(program, "scene_scalars", this->Scalars.GetTexture());
+  SetSampler(program, "scene_mask", this->Mask);
+  SetSampler(program, "scene_extinction", this->Extinction);
+  SetSampler(program, "scene_color", this->Color);
+  SetSampler(program, "scene_points", this->Points);
+  SetSampler(program, "scene_gradientOpacity", this->GradientOpacityTexture);
+  if (this->Table.Lookup == TransferFunctionLookup::Table)
+  {
+    const auto coordinate = GetTableCoordinate(this->Table.Low, this->Table.High,
+      this->Table.Extinction.size(), encoding.Scale, encoding.Offset);
+    program->SetUniform2f("scene_tableCoordinate", coordinate.data());
+  }
+  else
+  {
+    program->SetUniformi("scene_pointSearchSteps", this->GetLookupIterations());
+    program->SetUniformf("scene_pointOffset",
+      static_cast<float>((this->Table.Low - encoding.Offset) / encoding.Scale));
+    program->SetUniformf("scene_reciprocalUnitDistance", static_cast<float>(1.0 / unitDistance));
+  }
+  if (!this->GradientOpacity.Opacity.empty())
+  {
+    const auto coordinate = GetTableCoordinate(this->GradientOpacity.Low,
+      this->GradientOpacity.High, this->GradientOpacity.Opacity.size(), 1.0, 0.0);
+    program->SetUniform2f("scene_gradientOpacityCoordinate", coordinate.data());
+    auto matrix = ToColumns(geometry.GetGradientToMagnitude(), encoding.Scale);
+    program->SetUniformMatrix3x3("scene_gradientToMagnitude", matrix.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeTextures::Release(vtkOpenGLRenderWindow* window)
+{
+  this->Scalars.Release(window);
+  for (vtkTextureObject* texture : { this->Mask.Get(), this->Extinction.Get(), this->Color.Get(),
+         this->Points.Get(), this->GradientOpacityTexture.Get() })
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->LoadedScalars = nullptr;
+  this->LoadedMask = nullptr;
+  this->LoadedProperty = nullptr;
+}
+
+}

@@ -1,0 +1,79 @@
+/**
+ * @file    VolumeTextures.h
+ * @brief   all textures of one volume, loaded again only when what they hold has changed
+ */
+
+#ifndef VolumeTextures_h
+#define VolumeTextures_h
+
+#include "ScalarTexture.h"
+#include "TransferFunctionTable.h"
+#include "VolumeGeometry.h"
+
+#include "vtkNew.h"
+#include "vtkTextureObject.h"
+#include "vtkTimeStamp.h"
+
+#include <array>
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkVolumeProperty;
+
+namespace penumbra
+{
+
+class VolumeTextures
+{
+public:
+  /// Loads the volume's scalars. False where the graphics card cannot hold them.
+  bool UpdateScalars(vtkOpenGLRenderWindow* window, vtkImageData* image, vtkDataArray* scalars);
+  void SetInterpolation(bool linear) { this->Scalars.SetInterpolation(linear); }
+  /// Loads the mask, or drops it where it is null.
+  bool UpdateMask(vtkOpenGLRenderWindow* window, vtkImageData* mask);
+  void UpdateTransferFunctions(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
+
+  bool HasNonFiniteScalars() const { return !this->Scalars.GetRange().AllFinite; }
+  bool HasMask() const { return this->LoadedMask != nullptr; }
+  TransferFunctionLookup GetLookup() const { return this->Table.Lookup; }
+  /// Halvings that a search among the points takes; 0 for a table.
+  int GetLookupIterations() const;
+
+  void Activate();
+  void Deactivate();
+  void SetUniforms(
+    vtkShaderProgram* program, const VolumeGeometry& geometry, double unitDistance) const;
+
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  void LoadTable(vtkOpenGLRenderWindow* window);
+  void LoadPoints(vtkOpenGLRenderWindow* window);
+  void LoadGradientOpacity(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
+  std::vector<vtkTextureObject*> GetLoaded() const;
+
+  ScalarTexture Scalars;
+  vtkTimeStamp ScalarsTime;
+  vtkDataArray* LoadedScalars = nullptr;
+  bool IntegerData = false;
+
+  vtkNew<vtkTextureObject> Mask;
+  vtkTimeStamp MaskTime;
+  vtkImageData* LoadedMask = nullptr;
+
+  TransferFunctionTable Table;
+  GradientOpacityTable GradientOpacity;
+  vtkTimeStamp TransferFunctionTime;
+  vtkVolumeProperty* LoadedProperty = nullptr;
+  vtkNew<vtkTextureObject> Extinction;
+  vtkNew<vtkTextureObject> Color;
+  vtkNew<vtkTextureObject> Points;
+  vtkNew<vtkTextureObject> GradientOpacityTexture;
+};
+
+}
+
+#endif

@@ -1,0 +1,4 @@
+vec4 accumulatedBefore()
+{
+  return vec4(0.0);
+}

@@ -1,0 +1,4 @@
+float attenuationOf(int light, float distance)
+{
+  return 1.0;
+}

@@ -1,0 +1,4 @@
+vec3 diffuseLight(int light, float nDotL)
+{
+  return vec3(0.0);
+}

@@ -1,0 +1,4 @@
+float gradientOpacityAt(vec3 position)
+{
+  return 1.0;
+}

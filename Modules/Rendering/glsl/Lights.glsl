@@ -1,0 +1,57 @@
+// What the loops over the lights share. Lights are sorted by kind and, within a kind, by shadow state:
+// none, soft, hard.
+
+uniform vec3 scene_lightPosition[LIGHTS];  // directional: direction of the shadow ray; else the position
+uniform vec3 scene_lightDirection[LIGHTS]; // world; directional: towards the light; spot: its axis
+uniform vec2 scene_lightShadow[LIGHTS];    // where a shadow ray begins; the optical depth that is enough
+
+struct ShadowSegment
+{
+  vec3 direction; // texture coordinates per length
+  float begin;
+  float end;
+  float enough;
+};
+
+struct LightedPoint
+{
+  vec3 position;
+  vec3 normal;
+  vec3 view; // world, towards the eye
+};
+
+// Light that falls on a point and where it comes from, before any shadow.
+struct Illumination
+{
+  vec3 direction; // world, towards the light; 0 where there is none
+  float strength;
+  ShadowSegment segment;
+};
+
+struct Reflection
+{
+  vec3 diffuse;  // still to be multiplied by the colour of the matter
+  vec3 specular;
+};
+
+Reflection reflectLight(LightedPoint point, int light, Illumination illumination)
+{
+  float side = litSide(dot(point.normal, illumination.direction));
+  float nDotL = side * dot(point.normal, illumination.direction);
+  float nDotV = side * dot(point.normal, point.view);
+  float lDotV = dot(illumination.direction, point.view);
+  return Reflection(illumination.strength * diffuseLight(light, nDotL),
+    illumination.strength * specularLight(light, nDotL, nDotV, lDotV));
+}
+
+// A light that brightens nothing needs no shadow ray.
+float shadowReach(Reflection reflected, float end)
+{
+  return any(greaterThan(reflected.diffuse + reflected.specular, vec3(0.0))) ? end : 0.0;
+}
+
+void addReflection(inout Reflection sum, Reflection reflected, float visibility)
+{
+  sum.diffuse += visibility * reflected.diffuse;
+  sum.specular += visibility * reflected.specular;
+}

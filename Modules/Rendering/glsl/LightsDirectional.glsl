@@ -1,0 +1,35 @@
+// Light that comes from one direction everywhere; headlights are of this kind.
+
+Illumination directionalLight(LightedPoint point, int light)
+{
+  return Illumination(scene_lightDirection[light], 1.0,
+    ShadowSegment(scene_lightPosition[light], scene_lightShadow[light].x, 1e30, scene_lightShadow[light].y));
+}
+
+void addDirectionalLights(LightedPoint point, inout Reflection sum)
+{
+#if DIRECTIONAL_UNSHADOWED > 0
+  for (int light = DIRECTIONAL_FIRST; light < DIRECTIONAL_FIRST + DIRECTIONAL_UNSHADOWED; ++light)
+  {
+    addReflection(sum, reflectLight(point, light, directionalLight(point, light)), 1.0);
+  }
+#endif
+#if DIRECTIONAL_SOFT > 0
+  for (int light = DIRECTIONAL_SOFT_FIRST; light < DIRECTIONAL_SOFT_FIRST + DIRECTIONAL_SOFT; ++light)
+  {
+    Illumination illumination = directionalLight(point, light);
+    Reflection reflected = reflectLight(point, light, illumination);
+    illumination.segment.end = shadowReach(reflected, illumination.segment.end);
+    addReflection(sum, reflected, softVisibility(point.position, illumination.segment));
+  }
+#endif
+#if DIRECTIONAL_HARD > 0
+  for (int light = DIRECTIONAL_HARD_FIRST; light < DIRECTIONAL_HARD_FIRST + DIRECTIONAL_HARD; ++light)
+  {
+    Illumination illumination = directionalLight(point, light);
+    Reflection reflected = reflectLight(point, light, illumination);
+    illumination.segment.end = shadowReach(reflected, illumination.segment.end);
+    addReflection(sum, reflected, hardVisibility(point.position, illumination.segment));
+  }
+#endif
+}

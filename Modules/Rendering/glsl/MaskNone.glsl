@@ -1,0 +1,4 @@
+float shownByMask(inout vec3 position, vec3 segment)
+{
+  return 1.0;
+}

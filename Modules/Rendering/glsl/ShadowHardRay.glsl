@@ -1,0 +1,9 @@
+// Opaque occluders: dark as soon as the accumulated opacity exceeds the light's threshold, which in
+// optical depth is towardsLight.enough.
+
+float hardVisibility(vec3 position, ShadowSegment towardsLight)
+{
+  float depth = opticalDepth(position, towardsLight.direction, towardsLight.begin, towardsLight.end,
+    towardsLight.enough);
+  return depth > towardsLight.enough ? 0.0 : 1.0;
+}

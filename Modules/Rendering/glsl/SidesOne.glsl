@@ -1,0 +1,4 @@
+float litSide(float nDotL)
+{
+  return 1.0;
+}
