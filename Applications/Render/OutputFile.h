@@ -1,0 +1,45 @@
+/**
+ * @class   OutputFile
+ * @brief   a file that is there either whole or not at all
+ *
+ * Whether it can be written is found out when it is named, before any work is done for it. Its
+ * content goes to another name beside it and takes its own name last.
+ */
+
+#ifndef OutputFile_h
+#define OutputFile_h
+
+#include <filesystem>
+#include <string>
+
+namespace penumbra
+{
+
+class OutputFile
+{
+public:
+  /// @throw InputError where no file can be written there. `option` names it in the message.
+  OutputFile(const std::string& option, const std::filesystem::path& file);
+  ~OutputFile();
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  OutputFile& operator=(OutputFile&&) = delete;
+
+  const std::filesystem::path& GetPath() const { return this->Path; }
+
+  /// Writes the content under the other name. @throw RenderingError where that fails.
+  void Write(const std::string& content);
+
+  /// Gives the file its name. @throw RenderingError where that fails.
+  void Commit();
+
+private:
+  std::string Option;
+  std::filesystem::path Path;
+  std::filesystem::path Unfinished;
+};
+
+}
+
+#endif

@@ -1,0 +1,214 @@
+#include "RenderCommand.h"
+
+#include "Frames.h"
+#include "InputError.h"
+#include "OutputFile.h"
+#include "Picture.h"
+#include "Process.h"
+#include "RenderingError.h"
+#include "Report.h"
+#include "SceneDefaults.h"
+#include "SceneFile.h"
+#include "SceneRendering.h"
+#include "SceneWriter.h"
+#include "vtkMessageCollector.h"
+
+#include <vtkIlluminatedVolumeMapper.h>
+#include <vtkImageData.h>
+#include <vtkRenderWindow.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace penumbra
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+void TellProgress(const std::string& what)
+{
+  if (IsTerminalAtStandardError())
+  {
+    std::cerr << what << std::endl;
+  }
+}
+
+bool AreSame(const fs::path& left, const fs::path& right)
+{
+  const auto whole = [](const fs::path& path)
+  {
+    std::error_code ignored;
+    return fs::weakly_canonical(fs::absolute(path), ignored);
+  };
+  return whole(left) == whole(right);
+}
+
+// The files that a command writes; each is refused before any work where it cannot be written.
+struct CommandOutputs
+{
+  explicit CommandOutputs(const RenderCommand& command)
+  {
+    if (command.Output)
+    {
+      this->Format = FormatOf(*command.Output);
+    }
+    this->Open("--output", command.Output, this->Picture);
+    this->Open("--report", command.Report, this->Report);
+    this->Open("--save-scene", command.SavedScene, this->Scene);
+  }
+
+  std::vector<OutputFile*> All()
+  {
+    std::vector<OutputFile*> files;
+    for (auto* file : { &this->Picture, &this->Report, &this->Scene })
+    {
+      if (*file)
+      {
+        files.push_back(&**file);
+      }
+    }
+    return files;
+  }
+
+  void RefuseToOverwrite(const fs::path& input)
+  {
+    for (OutputFile* file : this->All())
+    {
+      if (AreSame(file->GetPath(), input))
+      {
+        throw InputError(input.u8string() + " is read by this scene and cannot be written too");
+      }
+    }
+  }
+
+  PictureFormat Format = PictureFormat::Png;
+  std::optional<OutputFile> Picture;
+  std::optional<OutputFile> Report;
+  std::optional<OutputFile> Scene;
+
+private:
+  void Open(const std::string& option, const std::optional<fs::path>& path,
+    std::optional<OutputFile>& file)
+  {
+    if (!path)
+    {
+      return;
+    }
+    for (OutputFile* other : this->All())
+    {
+      if (AreSame(other->GetPath(), *path))
+      {
+        throw InputError(option + " is " + path->u8string() + ", which is written to already");
+      }
+    }
+    file.emplace(option, *path);
+  }
+};
+
+SceneDescription LoadCommandScene(const RenderCommand& command, CommandOutputs& outputs)
+{
+  SceneDescription scene = LoadScene(command.Input, command.Settings);
+  if (command.Change)
+  {
+    CheckChange(*command.Change, scene.Lights.size());
+  }
+  outputs.RefuseToOverwrite(scene.Volume.File);
+  if (scene.Volume.Mask)
+  {
+    outputs.RefuseToOverwrite(*scene.Volume.Mask);
+  }
+  return scene;
+}
+
+void CollectWarnings(const std::vector<std::string>& more, std::vector<std::string>& warnings)
+{
+  for (const std::string& warning : more)
+  {
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+    {
+      warnings.push_back(warning);
+    }
+  }
+}
+
+void RefuseReadingErrors(vtkMessageCollector* messages)
+{
+  if (!messages->GetErrors().empty())
+  {
+    throw InputError(messages->GetErrors().front());
+  }
+}
+
+void WriteOutputs(CommandOutputs& outputs, const RenderedFrames& frames,
+  const SceneDescription& scene, vtkImageData* volume, vtkIlluminatedVolumeMapper* mapper,
+  const std::vector<std::string>& warnings)
+{
+  if (outputs.Picture)
+  {
+    outputs.Picture->Write(EncodePicture(frames.Picture, outputs.Format));
+  }
+  if (outputs.Report)
+  {
+    outputs.Report->Write(WriteReport(frames, volume, mapper, warnings));
+  }
+  if (outputs.Scene)
+  {
+    const auto folder = fs::absolute(outputs.Scene->GetPath()).parent_path();
+    outputs.Scene->Write(WriteScene(scene, folder));
+  }
+  for (OutputFile* file : outputs.All())
+  {
+    file->Commit();
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void Execute(const RenderCommand& command, vtkMessageCollector* messages)
+{
+  CommandOutputs outputs(command);
+  SceneDescription scene = LoadCommandScene(command, outputs);
+
+  std::vector<std::string> warnings;
+  TellProgress("reading " + scene.Volume.File.u8string());
+  const SceneVoxels voxels = ReadVoxels(scene.Volume, warnings);
+  RefuseReadingErrors(messages);
+  ResolveScene(scene, voxels.Volume);
+
+  SceneRendering rendering(scene, voxels);
+  const auto window = MakeWindow(rendering, scene.Image.Size);
+  TellProgress("rendering");
+  const auto checkFrame = [&](int frame)
+  {
+    if (!messages->GetErrors().empty())
+    {
+      throw RenderingError(messages->GetErrors().front());
+    }
+    if (command.NumberOfFrames > 0)
+    {
+      TellProgress("rendered frame " + std::to_string(frame) + " of " +
+        std::to_string(command.NumberOfFrames));
+    }
+  };
+  const RenderedFrames frames = RenderFrames(rendering, window, command, checkFrame);
+
+  vtkIlluminatedVolumeMapper* mapper = rendering.GetIlluminatedMapper();
+  CollectWarnings(rendering.GetWarnings(), warnings);
+  if (mapper)
+  {
+    CollectWarnings(mapper->GetMessages(), warnings);
+  }
+  CollectWarnings(messages->GetWarnings(), warnings);
+  WriteOutputs(outputs, frames, scene, voxels.Volume, mapper, warnings);
+  for (const std::string& warning : warnings)
+  {
+    std::cerr << "warning: " << warning << "\n";
+  }
+  if (command.Explain)
+  {
+    std::cout << ExplainRequirements(mapper);
+  }
+}
+
+}

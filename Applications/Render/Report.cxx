@@ -1,0 +1,117 @@
+#include "Report.h"
+
+#include "Process.h"
+#include "ScalarTypes.h"
+
+#include <vtkDataArray.h>
+#include <vtkIlluminatedVolumeMapper.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkVersion.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace penumbra
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+// Null where there are none.
+Json Median(std::vector<double> values)
+{
+  if (values.empty())
+  {
+    return nullptr;
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+Json DescribeVolume(vtkImageData* volume)
+{
+  const int* dimensions = volume->GetDimensions();
+  const double* spacing = volume->GetSpacing();
+  double range[2];
+  volume->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
+  return { { "dims", { dimensions[0], dimensions[1], dimensions[2] } },
+    { "spacing", { spacing[0], spacing[1], spacing[2] } },
+    { "scalarType", ScalarTypeName(volume->GetScalarType()) },
+    { "range", { range[0], range[1] } } };
+}
+
+std::string NameOfTechnique(vtkIlluminatedVolumeMapper* mapper)
+{
+  return mapper && mapper->GetRequirements().GetNumberOfShadowedLights() > 0 ? "rays" : "none";
+}
+
+std::vector<RequirementEntry> EntriesOf(vtkIlluminatedVolumeMapper* mapper)
+{
+  return mapper ? mapper->GetRequirements().GetEntries() : std::vector<RequirementEntry>();
+}
+}
+
+//------------------------------------------------------------------------------
+std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
+  vtkIlluminatedVolumeMapper* mapper, const std::vector<std::string>& warnings)
+{
+  std::vector<double> seconds;
+  std::vector<double> cpuSeconds;
+  for (const FrameTime& time : frames.Others)
+  {
+    seconds.push_back(time.Seconds);
+    cpuSeconds.push_back(time.CpuSeconds);
+  }
+  Json requirements = Json::object();
+  for (const RequirementEntry& entry : EntriesOf(mapper))
+  {
+    requirements[entry.Name] = entry.Value;
+  }
+  Json report;
+  report["vtkVersion"] = vtkVersion::GetVTKVersion();
+  report["openglRenderer"] = frames.OpenGLRenderer;
+  report["volume"] = DescribeVolume(volume);
+  report["firstFrameSeconds"] = frames.First.Seconds;
+  report["frameSeconds"] = seconds;
+  report["frameCpuSeconds"] = cpuSeconds;
+  report["medianFrameSeconds"] = Median(seconds);
+  report["shadowUpdateSeconds"] = 0.0; // rays keep nothing between frames
+  report["technique"] = NameOfTechnique(mapper);
+  report["requirements"] = requirements;
+  report["leftOut"] =
+    mapper ? mapper->GetRequirements().GetLeftOut() : std::vector<std::string>();
+  report["warnings"] = warnings;
+  report["peakMemoryBytes"] = PeakMemoryBytes();
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string ExplainRequirements(vtkIlluminatedVolumeMapper* mapper)
+{
+  if (!mapper)
+  {
+    return "The stock mapper renders this scene; it tells nothing of what it needs.\n";
+  }
+  constexpr int column = 28;
+  std::ostringstream needed;
+  std::ostringstream leftOut;
+  for (const RequirementEntry& entry : EntriesOf(mapper))
+  {
+    if (entry.Needed)
+    {
+      needed << "  " << std::left << std::setw(column) << entry.Name << entry.Value << "\n";
+    }
+    else
+    {
+      leftOut << "  " << entry.Name << "\n";
+    }
+  }
+  return "This scene needs\n" + needed.str() + "and leaves out\n" + leftOut.str();
+}
+
+}

@@ -1,0 +1,48 @@
+#include "SceneDefaults.h"
+
+#include "DefaultTransferFunction.h"
+#include "SceneCamera.h"
+#include "VolumeBox.h"
+
+namespace penumbra
+{
+namespace
+{
+void ResolveTransferFunction(TransferFunctionDescription& function, vtkImageData* image)
+{
+  if (!function.Opacity || !function.Color)
+  {
+    const TransferFunctionDescription chosen = ChooseTransferFunction(image);
+    if (!function.Opacity)
+    {
+      function.Opacity = chosen.Opacity;
+      function.OpacityUnitDistance =
+        function.OpacityUnitDistance.value_or(*chosen.OpacityUnitDistance);
+    }
+    if (!function.Color)
+    {
+      function.Color = chosen.Color;
+    }
+  }
+  function.OpacityUnitDistance = function.OpacityUnitDistance.value_or(1.0);
+}
+}
+
+//------------------------------------------------------------------------------
+void ResolveScene(SceneDescription& scene, vtkImageData* image)
+{
+  ResolveTransferFunction(scene.TransferFunction, image);
+  const double smallest = SmallestSpacing(image);
+  scene.SampleDistance = scene.SampleDistance.value_or(0.5 * smallest);
+  scene.Shadows.SampleDistance = scene.Shadows.SampleDistance.value_or(2.0 * *scene.SampleDistance);
+  scene.Shadows.Technique = TechniqueChoice::Rays;
+  for (LightDescription& light : scene.Lights)
+  {
+    light.ShadowBias = light.ShadowBias.value_or(smallest);
+  }
+  const auto& size = scene.Image.Size;
+  ResolveCamera(scene.Camera, VolumeBox(image, scene.Volume.Transform),
+    static_cast<double>(size[0]) / size[1]);
+}
+
+}

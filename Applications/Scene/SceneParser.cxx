@@ -1,0 +1,139 @@
+#include "SceneParser.h"
+
+#include "InputError.h"
+#include "SceneSections.h"
+
+#include <nlohmann/json.hpp>
+
+namespace penumbra
+{
+namespace
+{
+// The largest picture that current OpenGL drivers, Mesa's among them, can draw into.
+constexpr int LargestImageSize = 16384;
+
+void ParseShading(JsonObject& scene, bool& shade)
+{
+  std::optional<bool> shadeKey;
+  scene.Read("shade", shadeKey);
+  std::optional<bool> scatters;
+  if (scene.Find("opticalModel"))
+  {
+    scatters.emplace();
+    scene.ReadChoice<bool>("opticalModel", *scatters,
+      { { "single-scattering", true }, { "absorption-emission", false } },
+      { "absorption", "emission" });
+  }
+  if (shadeKey && scatters && *shadeKey != *scatters)
+  {
+    RefuseValue("shade", *scene.Find("shade"),
+      std::string(*scatters ? "true" : "false") + ", as opticalModel is " +
+        ValueInWords(*scene.Find("opticalModel")));
+  }
+  shade = shadeKey.value_or(scatters.value_or(shade));
+}
+
+ShadowsDescription ParseShadows(const nlohmann::json& value)
+{
+  ShadowsDescription shadows;
+  JsonObject object(value, "shadows");
+  object.ReadChoice<TechniqueChoice>("technique", shadows.Technique,
+    { { "auto", TechniqueChoice::Auto }, { "rays", TechniqueChoice::Rays } },
+    { "volume", "map", "deep-map" });
+  object.Read("sampleDistance", shadows.SampleDistance, MoreThanZero);
+  object.Read("resolution", shadows.Resolution, MoreThanZero);
+  object.Read("tolerance", shadows.Tolerance, ZeroOrMore);
+  object.RefuseUnknownKeys();
+  return shadows;
+}
+
+ClippingPlaneDescription ParseClippingPlane(const nlohmann::json& value, const std::string& path)
+{
+  ClippingPlaneDescription plane;
+  JsonObject object(value, path);
+  object.Read("origin", plane.Origin, AnyNumber);
+  object.Read("normal", plane.Normal, AnyNumber);
+  object.RefuseUnknownKeys();
+  if (Length(plane.Normal) == 0.0)
+  {
+    RefuseValue(object.PathOf("normal"), *object.Find("normal"), "a vector other than zero");
+  }
+  return plane;
+}
+
+ImageDescription ParseImage(const nlohmann::json& value)
+{
+  ImageDescription image;
+  JsonObject object(value, "image");
+  object.Read("size", image.Size, 1, LargestImageSize);
+  object.Read("background", image.Background, ZeroToOne);
+  object.RefuseUnknownKeys();
+  return image;
+}
+
+void ParseLights(JsonObject& scene, std::vector<LightDescription>& lights)
+{
+  const auto entries = scene.ReadArray("lights");
+  if (!scene.Find("lights"))
+  {
+    return;
+  }
+  lights.clear();
+  for (const auto& [value, path] : entries)
+  {
+    lights.push_back(ParseLight(*value, path));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+SceneDescription ParseScene(const nlohmann::json& json, const std::filesystem::path& folder)
+{
+  SceneDescription description;
+  JsonObject scene(json, "");
+  const nlohmann::json* volume = scene.Find("volume");
+  if (!volume)
+  {
+    throw InputError("volume.file is missing; it names the volume to render");
+  }
+  description.Volume = ParseVolume(*volume, folder);
+  if (const nlohmann::json* value = scene.Find("transferFunction"))
+  {
+    description.TransferFunction = ParseTransferFunction(*value);
+  }
+  ParseShading(scene, description.Shade);
+  if (const nlohmann::json* value = scene.Find("material"))
+  {
+    description.Material = ParseMaterial(*value);
+  }
+  bool central = true;
+  scene.ReadChoice<bool>(
+    "gradient", central, { { "central", true } }, { "forward", "backward", "sobel" });
+  ParseLights(scene, description.Lights);
+  scene.Read("twoSidedLighting", description.TwoSidedLighting);
+  if (const nlohmann::json* value = scene.Find("shadows"))
+  {
+    description.Shadows = ParseShadows(*value);
+  }
+  for (const auto& [value, path] : scene.ReadArray("clippingPlanes"))
+  {
+    description.ClippingPlanes.push_back(ParseClippingPlane(*value, path));
+  }
+  if (const nlohmann::json* value = scene.Find("camera"))
+  {
+    description.Camera = ParseCamera(*value);
+  }
+  if (const nlohmann::json* value = scene.Find("image"))
+  {
+    description.Image = ParseImage(*value);
+  }
+  scene.Read("sampleDistance", description.SampleDistance, MoreThanZero);
+  scene.Read("skipEmptySpace", description.SkipEmptySpace);
+  scene.ReadChoice<RendererChoice>("renderer", description.Renderer,
+    { { "penumbra", RendererChoice::Penumbra }, { "vtk", RendererChoice::StockMapper } },
+    { "reference" });
+  scene.RefuseUnknownKeys();
+  return description;
+}
+
+}

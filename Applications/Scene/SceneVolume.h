@@ -1,0 +1,46 @@
+/**
+ * @file    SceneVolume.h
+ * @brief   a scene's volume: its voxels, its appearance and the mapper that draws it
+ */
+
+#ifndef SceneVolume_h
+#define SceneVolume_h
+
+#include "SceneDescription.h"
+
+#include <vtkSmartPointer.h>
+
+class vtkGPUVolumeRayCastMapper;
+class vtkImageData;
+class vtkVolumeProperty;
+
+namespace penumbra
+{
+
+/// What a scene names by file.
+struct SceneVoxels
+{
+  vtkSmartPointer<vtkImageData> Volume;
+  /// Bytes, in the volume's geometry; 0 hides. Null: no mask.
+  vtkSmartPointer<vtkImageData> Mask;
+};
+
+/**
+ * Reads volume and mask. What a user should know of them is appended to `warnings`.
+ * @throw InputError or VolumeReadingError where they cannot be read or do not go together.
+ */
+SceneVoxels ReadVoxels(const VolumeDescription& volume, std::vector<std::string>& warnings);
+
+/// Transfer functions and material of a resolved scene.
+vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(const SceneDescription& scene);
+
+/**
+ * The mapper that a resolved scene asks for, with its input, steps, cropping, mask and clipping
+ * planes. What the stock mapper cannot do is left out and told in `warnings`.
+ */
+vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeMapper(
+  const SceneDescription& scene, const SceneVoxels& voxels, std::vector<std::string>& warnings);
+
+}
+
+#endif

@@ -1,0 +1,81 @@
+#include "SceneVolume.h"
+
+#include "InputError.h"
+#include "VolumeFile.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+namespace penumbra
+{
+namespace
+{
+RawVolumeGeometry MakeRawGeometry(const VolumeDescription& volume)
+{
+  RawVolumeGeometry raw;
+  const auto dimensions = volume.Dimensions.value_or(std::array<int, 3>{ 0, 0, 0 });
+  std::copy(dimensions.begin(), dimensions.end(), raw.dimensions);
+  raw.scalarType = volume.ScalarType.value_or(raw.scalarType);
+  std::copy(volume.Spacing.begin(), volume.Spacing.end(), raw.spacing);
+  std::copy(volume.Origin.begin(), volume.Origin.end(), raw.origin);
+  std::copy(volume.Direction.begin(), volume.Direction.end(), raw.direction);
+  raw.bigEndian = volume.BigEndian;
+  raw.headerBytes = volume.HeaderBytes;
+  return raw;
+}
+
+std::string DimensionsInWords(const int* dimensions)
+{
+  return std::to_string(dimensions[0]) + "x" + std::to_string(dimensions[1]) + "x" +
+    std::to_string(dimensions[2]);
+}
+
+// VTK's mappers take masks of bytes that lie where the volume lies.
+vtkSmartPointer<vtkImageData> ToMaskOf(vtkImageData* volume, vtkImageData* read)
+{
+  vtkDataArray* values = read->GetPointData()->GetScalars();
+  vtkNew<vtkUnsignedCharArray> shown;
+  shown->SetNumberOfTuples(values->GetNumberOfTuples());
+  for (vtkIdType voxel = 0; voxel < values->GetNumberOfTuples(); ++voxel)
+  {
+    shown->SetValue(voxel, values->GetComponent(voxel, 0) != 0.0 ? 255 : 0);
+  }
+  auto mask = vtkSmartPointer<vtkImageData>::New();
+  mask->CopyStructure(volume);
+  mask->GetPointData()->SetScalars(shown);
+  return mask;
+}
+
+vtkSmartPointer<vtkImageData> ReadMask(const std::filesystem::path& file, vtkImageData* volume,
+  std::vector<std::string>& warnings)
+{
+  RawVolumeGeometry raw;
+  std::copy_n(volume->GetDimensions(), 3, raw.dimensions);
+  const auto mask = ReadVolumeFile(file.u8string(), raw, warnings);
+  if (!std::equal(mask->GetDimensions(), mask->GetDimensions() + 3, volume->GetDimensions()))
+  {
+    throw InputError("volume.mask is " + file.u8string() + " with " +
+      DimensionsInWords(mask->GetDimensions()) + " voxels; accepted: the volume's " +
+      DimensionsInWords(volume->GetDimensions()));
+  }
+  return ToMaskOf(volume, mask);
+}
+}
+
+//------------------------------------------------------------------------------
+SceneVoxels ReadVoxels(const VolumeDescription& volume, std::vector<std::string>& warnings)
+{
+  SceneVoxels voxels;
+  voxels.Volume = ReadVolumeFile(volume.File.u8string(), MakeRawGeometry(volume), warnings);
+  if (volume.Mask)
+  {
+    voxels.Mask = ReadMask(*volume.Mask, voxels.Volume, warnings);
+  }
+  return voxels;
+}
+
+}
