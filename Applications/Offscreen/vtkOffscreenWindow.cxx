@@ -44,6 +44,12 @@ void vtkOffscreenWindow::SetContextMaker(penumbra::OffscreenContextMaker maker)
 }
 
 //------------------------------------------------------------------------------
+penumbra::OffscreenContextMaker vtkOffscreenWindow::GetContextMaker()
+{
+  return currentMaker;
+}
+
+//------------------------------------------------------------------------------
 void vtkOffscreenWindow::MakeContext()
 {
   // Mesa compiles its shaders with LLVM, which does not survive trapped floating-point exceptions.

@@ -24,10 +24,13 @@ public:
   vtkTypeMacro(vtkOffscreenWindow, vtkGenericOpenGLRenderWindow);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /**
    * What makes the contexts of all windows that are created from now on.
    */
   static void SetContextMaker(penumbra::OffscreenContextMaker maker);
+  static penumbra::OffscreenContextMaker GetContextMaker();
+  ///@}
 
   ///@{
   /**

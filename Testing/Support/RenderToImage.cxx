@@ -12,10 +12,11 @@ vtkSmartPointer<vtkImageData> penumbra::RenderToImage(vtkRenderWindow* window)
   {
     throw std::runtime_error("the window has no OpenGL");
   }
+  window->Render();
   vtkNew<vtkWindowToImageFilter> filter;
   filter->SetInput(window);
   filter->SetInputBufferTypeToRGB();
-  filter->ReadFrontBufferOff();
+  filter->ShouldRerenderOff();
   filter->Update();
   return filter->GetOutput();
 }
