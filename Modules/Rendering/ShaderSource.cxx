@@ -1,46 +1,46 @@
 #include "ShaderSource.h"
 
-#include "AccumulationNone.h"
-#include "AccumulationPrevious.h"
-#include "AttenuationDistance.h"
-#include "AttenuationNone.h"
-#include "BoxInterval.h"
-#include "BoxVertex.h"
-#include "ClippingNone.h"
-#include "ClippingPlanes.h"
-#include "CompositeAccumulation.h"
-#include "CroppingBox.h"
-#include "CroppingRegions.h"
-#include "Declarations.h"
-#include "DiffuseNone.h"
-#include "DiffuseTerm.h"
-#include "GradientCentral.h"
-#include "GradientOpacityNone.h"
-#include "GradientOpacityTable.h"
-#include "LightFalloff.h"
-#include "LightPoint.h"
-#include "Lights.h"
-#include "LightsDirectional.h"
-#include "LightsPoint.h"
-#include "LightsSpot.h"
-#include "MaskBinary.h"
-#include "MaskNone.h"
-#include "OpacityPoints.h"
-#include "OpacityTable.h"
-#include "ReflectionPhong.h"
-#include "SegmentDepth.h"
-#include "ShadingAmbient.h"
-#include "ShadingLights.h"
-#include "ShadingNone.h"
-#include "ShadowHardRay.h"
-#include "ShadowRay.h"
-#include "ShadowSoftRay.h"
-#include "SidesOne.h"
-#include "SidesTwo.h"
-#include "SpecularNone.h"
-#include "SpecularTerm.h"
-#include "Transmittance.h"
-#include "ViewRay.h"
+#include "GlslAccumulationNone.h"
+#include "GlslAccumulationPrevious.h"
+#include "GlslAttenuationDistance.h"
+#include "GlslAttenuationNone.h"
+#include "GlslBoxInterval.h"
+#include "GlslBoxVertex.h"
+#include "GlslClippingNone.h"
+#include "GlslClippingPlanes.h"
+#include "GlslCompositeAccumulation.h"
+#include "GlslCroppingBox.h"
+#include "GlslCroppingRegions.h"
+#include "GlslDeclarations.h"
+#include "GlslDiffuseNone.h"
+#include "GlslDiffuseTerm.h"
+#include "GlslGradientCentral.h"
+#include "GlslGradientOpacityNone.h"
+#include "GlslGradientOpacityTable.h"
+#include "GlslLightFalloff.h"
+#include "GlslLightPoint.h"
+#include "GlslLights.h"
+#include "GlslLightsDirectional.h"
+#include "GlslLightsPoint.h"
+#include "GlslLightsSpot.h"
+#include "GlslMaskBinary.h"
+#include "GlslMaskNone.h"
+#include "GlslOpacityPoints.h"
+#include "GlslOpacityTable.h"
+#include "GlslReflectionPhong.h"
+#include "GlslSegmentDepth.h"
+#include "GlslShadingAmbient.h"
+#include "GlslShadingLights.h"
+#include "GlslShadingNone.h"
+#include "GlslShadowHardRay.h"
+#include "GlslShadowRay.h"
+#include "GlslShadowSoftRay.h"
+#include "GlslSidesOne.h"
+#include "GlslSidesTwo.h"
+#include "GlslSpecularNone.h"
+#include "GlslSpecularTerm.h"
+#include "GlslTransmittance.h"
+#include "GlslViewRay.h"
 
 #include <array>
 
@@ -74,46 +74,46 @@ bool Shadowed(const Needs& needs)
 // In GLSL order: what is used stands before its use. Alternatives stand together, and exactly one of
 // them is needed.
 const Snippet FragmentSnippets[] = {
-  { Declarations, Always },
-  { BoxInterval, Always },
-  { Transmittance, Always },
-  { OpacityTable, [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Table; } },
-  { OpacityPoints, [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Points; } },
-  { ClippingNone, [](const Needs& n, bool) { return n.ClippingPlanes == 0; } },
-  { ClippingPlanes, [](const Needs& n, bool) { return n.ClippingPlanes > 0; } },
-  { CroppingBox, [](const Needs& n, bool) { return n.Cropping != CroppingKind::Regions; } },
-  { CroppingRegions, [](const Needs& n, bool) { return n.Cropping == CroppingKind::Regions; } },
-  { MaskNone, [](const Needs& n, bool) { return !n.Mask; } },
-  { MaskBinary, [](const Needs& n, bool) { return n.Mask; } },
-  { GradientCentral, [](const Needs& n, bool) { return n.NeedsGradient(); } },
-  { GradientOpacityNone, [](const Needs& n, bool) { return !n.GradientOpacity; } },
-  { GradientOpacityTable, [](const Needs& n, bool) { return n.GradientOpacity; } },
-  { SegmentDepth, Always },
-  { ReflectionPhong, [](const Needs& n, bool) { return n.NeedsNormal(); } },
-  { SidesOne, [](const Needs& n, bool) { return n.NeedsNormal() && !n.TwoSidedLighting; } },
-  { SidesTwo, [](const Needs& n, bool) { return n.NeedsNormal() && n.TwoSidedLighting; } },
-  { DiffuseNone, [](const Needs& n, bool) { return n.NeedsNormal() && !n.Diffuse; } },
-  { DiffuseTerm, [](const Needs& n, bool) { return n.NeedsNormal() && n.Diffuse; } },
-  { SpecularNone, [](const Needs& n, bool) { return n.NeedsNormal() && !n.Specular; } },
-  { SpecularTerm, [](const Needs& n, bool) { return n.NeedsNormal() && n.Specular; } },
-  { Lights, [](const Needs& n, bool) { return n.NeedsNormal(); } },
-  { ShadowRay, [](const Needs& n, bool) { return Shadowed(n); } },
-  { ShadowSoftRay, [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Soft) > 0; } },
-  { ShadowHardRay, [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Hard) > 0; } },
-  { LightsDirectional,
+  { GlslDeclarations, Always },
+  { GlslBoxInterval, Always },
+  { GlslTransmittance, Always },
+  { GlslOpacityTable, [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Table; } },
+  { GlslOpacityPoints, [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Points; } },
+  { GlslClippingNone, [](const Needs& n, bool) { return n.ClippingPlanes == 0; } },
+  { GlslClippingPlanes, [](const Needs& n, bool) { return n.ClippingPlanes > 0; } },
+  { GlslCroppingBox, [](const Needs& n, bool) { return n.Cropping != CroppingKind::Regions; } },
+  { GlslCroppingRegions, [](const Needs& n, bool) { return n.Cropping == CroppingKind::Regions; } },
+  { GlslMaskNone, [](const Needs& n, bool) { return !n.Mask; } },
+  { GlslMaskBinary, [](const Needs& n, bool) { return n.Mask; } },
+  { GlslGradientCentral, [](const Needs& n, bool) { return n.NeedsGradient(); } },
+  { GlslGradientOpacityNone, [](const Needs& n, bool) { return !n.GradientOpacity; } },
+  { GlslGradientOpacityTable, [](const Needs& n, bool) { return n.GradientOpacity; } },
+  { GlslSegmentDepth, Always },
+  { GlslReflectionPhong, [](const Needs& n, bool) { return n.NeedsNormal(); } },
+  { GlslSidesOne, [](const Needs& n, bool) { return n.NeedsNormal() && !n.TwoSidedLighting; } },
+  { GlslSidesTwo, [](const Needs& n, bool) { return n.NeedsNormal() && n.TwoSidedLighting; } },
+  { GlslDiffuseNone, [](const Needs& n, bool) { return n.NeedsNormal() && !n.Diffuse; } },
+  { GlslDiffuseTerm, [](const Needs& n, bool) { return n.NeedsNormal() && n.Diffuse; } },
+  { GlslSpecularNone, [](const Needs& n, bool) { return n.NeedsNormal() && !n.Specular; } },
+  { GlslSpecularTerm, [](const Needs& n, bool) { return n.NeedsNormal() && n.Specular; } },
+  { GlslLights, [](const Needs& n, bool) { return n.NeedsNormal(); } },
+  { GlslShadowRay, [](const Needs& n, bool) { return Shadowed(n); } },
+  { GlslShadowSoftRay, [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Soft) > 0; } },
+  { GlslShadowHardRay, [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Hard) > 0; } },
+  { GlslLightsDirectional,
     [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Directional) > 0; } },
-  { LightFalloff, [](const Needs& n, bool) { return IsPositional(n); } },
-  { AttenuationNone, [](const Needs& n, bool) { return IsPositional(n) && !n.Attenuation; } },
-  { AttenuationDistance, [](const Needs& n, bool) { return IsPositional(n) && n.Attenuation; } },
-  { LightPoint, [](const Needs& n, bool) { return IsPositional(n); } },
-  { LightsPoint, [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Point) > 0; } },
-  { LightsSpot, [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Spot) > 0; } },
-  { ShadingNone, [](const Needs& n, bool) { return !n.Shade; } },
-  { ShadingAmbient, [](const Needs& n, bool) { return n.Shade && !n.NeedsNormal(); } },
-  { ShadingLights, [](const Needs& n, bool) { return n.NeedsNormal(); } },
-  { AccumulationNone, [](const Needs&, bool continued) { return !continued; } },
-  { AccumulationPrevious, [](const Needs&, bool continued) { return continued; } },
-  { ViewRay, Always },
+  { GlslLightFalloff, [](const Needs& n, bool) { return IsPositional(n); } },
+  { GlslAttenuationNone, [](const Needs& n, bool) { return IsPositional(n) && !n.Attenuation; } },
+  { GlslAttenuationDistance, [](const Needs& n, bool) { return IsPositional(n) && n.Attenuation; } },
+  { GlslLightPoint, [](const Needs& n, bool) { return IsPositional(n); } },
+  { GlslLightsPoint, [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Point) > 0; } },
+  { GlslLightsSpot, [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Spot) > 0; } },
+  { GlslShadingNone, [](const Needs& n, bool) { return !n.Shade; } },
+  { GlslShadingAmbient, [](const Needs& n, bool) { return n.Shade && !n.NeedsNormal(); } },
+  { GlslShadingLights, [](const Needs& n, bool) { return n.NeedsNormal(); } },
+  { GlslAccumulationNone, [](const Needs&, bool continued) { return !continued; } },
+  { GlslAccumulationPrevious, [](const Needs&, bool continued) { return continued; } },
+  { GlslViewRay, Always },
 };
 
 std::string Define(const std::string& name, int value)
@@ -150,7 +150,7 @@ std::string DefineLightGroups(const Needs& needs)
 //------------------------------------------------------------------------------
 std::string GetVertexShaderSource()
 {
-  return BoxVertex;
+  return GlslBoxVertex;
 }
 
 //------------------------------------------------------------------------------
@@ -173,7 +173,7 @@ std::string GetFragmentShaderSource(const LightingRequirements& requirements, bo
 //------------------------------------------------------------------------------
 std::string GetCompositeShaderSource()
 {
-  return CompositeAccumulation;
+  return GlslCompositeAccumulation;
 }
 
 }

@@ -214,6 +214,19 @@ Vector3 Normalized(const Vector3& vector)
 }
 
 //------------------------------------------------------------------------------
+bool VolumeGeometry::CropBox(const Vector3& low, const Vector3& high)
+{
+  bool anything = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->BoxLow[axis] = std::max(this->BoxLow[axis], low[axis]);
+    this->BoxHigh[axis] = std::min(this->BoxHigh[axis], high[axis]);
+    anything = anything && this->BoxLow[axis] < this->BoxHigh[axis];
+  }
+  return anything;
+}
+
+//------------------------------------------------------------------------------
 double VolumeGeometry::GetDiagonal() const
 {
   double longest = 0.0;

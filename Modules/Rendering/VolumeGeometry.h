@@ -50,6 +50,8 @@ struct PENUMBRARENDERING_EXPORT VolumeGeometry
   double SmallestSpacing = 1.0;
   double MeanSpacing = 1.0;
 
+  /// Shrinks the visible box to what both it and the given one hold. False where that is nothing.
+  bool CropBox(const Vector3& low, const Vector3& high);
   /// Length of the visible box's longest diagonal in the volume's own frame.
   double GetDiagonal() const;
   /// A clipping plane as (a, b, c, d) in texture coordinates, positive on the side that is kept.

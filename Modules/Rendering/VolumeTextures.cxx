@@ -1,5 +1,7 @@
 #include "VolumeTextures.h"
 
+#include "MatrixUniforms.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -43,19 +45,6 @@ std::array<float, 2> GetTableCoordinate(
   const double perScalar = (texels - 1.0) / (texels * (high - low));
   return { static_cast<float>(perScalar * scale),
     static_cast<float>((offset - low) * perScalar + 0.5 / texels) };
-}
-
-std::array<float, 9> ToColumns(const Matrix3& matrix, double factor)
-{
-  std::array<float, 9> columns;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      columns[3 * column + row] = static_cast<float>(matrix[3 * row + column] * factor);
-    }
-  }
-  return columns;
 }
 
 void SetSampler(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
@@ -267,8 +256,12 @@ void VolumeTextures::SetUniforms(
     const auto coordinate = GetTableCoordinate(this->GradientOpacity.Low,
       this->GradientOpacity.High, this->GradientOpacity.Opacity.size(), 1.0, 0.0);
     program->SetUniform2f("scene_gradientOpacityCoordinate", coordinate.data());
-    auto matrix = ToColumns(geometry.GetGradientToMagnitude(), encoding.Scale);
-    program->SetUniformMatrix3x3("scene_gradientToMagnitude", matrix.data());
+    Matrix3 perVoxel = geometry.GetGradientToMagnitude();
+    for (double& element : perVoxel)
+    {
+      element *= encoding.Scale;
+    }
+    SetUniform(program, "scene_gradientToMagnitude", perVoxel);
   }
 }
 

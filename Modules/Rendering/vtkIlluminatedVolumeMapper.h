@@ -132,9 +132,11 @@ protected:
   void DrawStock(vtkRenderer* renderer, vtkVolume* volume);
   void MoveTo(vtkOpenGLRenderWindow* window);
   bool PrepareGeometry(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
+  bool PrepareVisibility(vtkImageData* image);
   bool PrepareTextures(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property,
     vtkImageData* image, vtkDataArray* scalars);
   void PrepareLights(vtkRenderer* renderer, vtkVolumeProperty* property);
+  void PlanDraws();
   void Draw(vtkRenderer* renderer);
   vtkImageData* GetUsableMask(vtkImageData* image);
   void Say(const std::string& message);

@@ -1,0 +1,46 @@
+/**
+ * @file    DrawnScene.h
+ * @brief   one picture of a volume as its shader sees it
+ */
+
+#ifndef DrawnScene_h
+#define DrawnScene_h
+
+#include "LightUniforms.h"
+#include "LightingRequirements.h"
+#include "MarchingPlan.h"
+#include "VolumeGeometry.h"
+
+#include <array>
+#include <vector>
+
+class vtkShaderProgram;
+
+namespace penumbra
+{
+
+struct DrawnScene
+{
+  VolumeGeometry Geometry;
+  ViewRays Rays;
+  LightingRequirements Requirements;
+  LightUniforms Lights;
+  std::vector<std::array<double, 4>> ClippingPlanes; ///< in texture coordinates
+  Vector3 CroppingLow{};                             ///< in texture coordinates
+  Vector3 CroppingHigh{};
+  int CroppingFlags = 0; ///< vtkVolumeMapper's region flags
+  double UnitDistance = 1.0;
+  MarchingPlan Plan;
+
+  /// Sets all uniforms that do not depend on a texture or on the part of the picture that is drawn.
+  void SetUniforms(vtkShaderProgram* program) const;
+
+private:
+  void SetGeometryUniforms(vtkShaderProgram* program) const;
+  void SetRayUniforms(vtkShaderProgram* program) const;
+  void SetVisibilityUniforms(vtkShaderProgram* program) const;
+};
+
+}
+
+#endif

@@ -1,0 +1,28 @@
+/**
+ * @file    MatrixUniforms.h
+ * @brief   matrices and vectors in double precision to the floats of a shader's uniforms
+ *
+ * Uniforms that the program does not use are passed over.
+ */
+
+#ifndef MatrixUniforms_h
+#define MatrixUniforms_h
+
+#include "VolumeGeometry.h"
+
+#include <array>
+
+class vtkShaderProgram;
+
+namespace penumbra
+{
+
+void SetUniform(vtkShaderProgram* program, const char* name, double value);
+void SetUniform(vtkShaderProgram* program, const char* name, const Vector3& vector);
+void SetUniform(vtkShaderProgram* program, const char* name, const std::array<double, 4>& vector);
+void SetUniform(vtkShaderProgram* program, const char* name, const Matrix3& matrix);
+void SetUniform(vtkShaderProgram* program, const char* name, const Matrix4& matrix);
+
+}
+
+#endif

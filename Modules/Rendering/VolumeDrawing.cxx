@@ -1,0 +1,105 @@
+#include "VolumeDrawing.h"
+
+#include "MatrixUniforms.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+
+//------------------------------------------------------------------------------
+VolumeDrawing::VolumeDrawing()
+{
+  this->Pass->SetUniforms = [this](vtkShaderProgram* program) { this->SetUniforms(program); };
+}
+
+//------------------------------------------------------------------------------
+void VolumeDrawing::SetUniforms(vtkShaderProgram* program)
+{
+  const auto& viewport = this->Current.Viewport;
+  const float origin[2] = { static_cast<float>(viewport.X), static_cast<float>(viewport.Y) };
+  const float scale[2] = { 2.0f / static_cast<float>(viewport.Width),
+    2.0f / static_cast<float>(viewport.Height) };
+  program->SetUniform2f("scene_viewportOrigin", origin);
+  program->SetUniform2f("scene_viewportScale", scale);
+  program->SetUniformi("scene_firstStep", this->Current.FirstStep);
+  program->SetUniformi("scene_lastStep", this->Current.LastStep);
+  SetUniform(program, "scene_boxToClip", this->Box.GetBoxToClip(this->Scene->Rays.TextureToClip));
+  this->Scene->SetUniforms(program);
+  this->Textures.SetUniforms(program, this->Scene->Geometry, this->Scene->UnitDistance);
+  if (this->Gathering)
+  {
+    program->SetUniformi("scene_accumulated", this->Accumulation.GetPreviousTextureUnit());
+    AccumulationBuffer::ReplaceInsteadOfBlending(this->Window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeDrawing::DrawPart(vtkRenderer* renderer, const Part& part)
+{
+  this->Current = part;
+  this->Box.Draw(renderer, this->Pass);
+}
+
+//------------------------------------------------------------------------------
+bool VolumeDrawing::Gather(vtkRenderer* renderer, const AccumulationBuffer::Viewport& viewport,
+  double imageSampleDistance)
+{
+  const auto reduced = [&](int pixels) {
+    return std::max(1, static_cast<int>(std::lround(pixels / imageSampleDistance)));
+  };
+  const AccumulationBuffer::Viewport gathered = { 0, 0, reduced(viewport.Width),
+    reduced(viewport.Height) };
+  const MarchingPlan& plan = this->Scene->Plan;
+  return this->Accumulation.Gather(
+    this->Window, viewport, gathered.Width, gathered.Height, plan.Draws, [&](int draw) {
+      const int first = draw * plan.StepsPerDraw;
+      this->DrawPart(renderer, { gathered, first, first + plan.StepsPerDraw });
+    });
+}
+
+//------------------------------------------------------------------------------
+VolumeDrawing::Result VolumeDrawing::Draw(
+  vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance)
+{
+  this->Scene = &scene;
+  this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->Gathering = scene.Plan.Draws > 1 || imageSampleDistance != 1.0;
+  this->Box.Place(scene.Geometry);
+  this->Pass->Select(scene.Requirements, this->Gathering);
+  this->Pass->ExpectDraw();
+  this->Textures.Activate();
+  AccumulationBuffer::Viewport viewport;
+  renderer->GetTiledSizeAndOrigin(&viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
+  bool gathered = true;
+  if (this->Gathering)
+  {
+    gathered = this->Gather(renderer, viewport, imageSampleDistance);
+  }
+  else
+  {
+    this->DrawPart(renderer, { viewport, 0, scene.Plan.Steps });
+  }
+  this->Textures.Deactivate();
+  this->Scene = nullptr;
+  if (!gathered)
+  {
+    return Result::NoFloatFramebuffer;
+  }
+  return this->Pass->GetProgramFailed() ? Result::NoProgram : Result::Drawn;
+}
+
+//------------------------------------------------------------------------------
+void VolumeDrawing::Release(vtkOpenGLRenderWindow* window)
+{
+  this->Box.Release(window);
+  this->Textures.Release(window);
+  this->Accumulation.Release(window);
+}
+
+}

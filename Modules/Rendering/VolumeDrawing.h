@@ -1,0 +1,71 @@
+/**
+ * @file    VolumeDrawing.h
+ * @brief   draws a scene's picture: textures, program, draws
+ */
+
+#ifndef VolumeDrawing_h
+#define VolumeDrawing_h
+
+#include "AccumulationBuffer.h"
+#include "DrawnScene.h"
+#include "IlluminationPass.h"
+#include "StandInBox.h"
+#include "VolumeTextures.h"
+
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkShaderProgram;
+
+namespace penumbra
+{
+
+class VolumeDrawing
+{
+public:
+  VolumeDrawing();
+
+  enum class Result
+  {
+    Drawn,
+    NoProgram,         ///< the shader did not compile or link
+    NoFloatFramebuffer ///< a picture of several draws or of fewer pixels has nowhere to be gathered
+  };
+
+  /// Draws with the textures as they are loaded. imageSampleDistance: pixels of the viewport per ray.
+  Result Draw(vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance);
+
+  VolumeTextures& GetTextures() { return this->Textures; }
+  const vtkIlluminationPass* GetPass() const { return this->Pass; }
+
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  /// The part of the framebuffer and of the view rays that one draw covers.
+  struct Part
+  {
+    AccumulationBuffer::Viewport Viewport;
+    int FirstStep = 0;
+    int LastStep = 0;
+  };
+
+  bool Gather(vtkRenderer* renderer, const AccumulationBuffer::Viewport& viewport,
+    double imageSampleDistance);
+  void DrawPart(vtkRenderer* renderer, const Part& part);
+  void SetUniforms(vtkShaderProgram* program);
+
+  vtkNew<vtkIlluminationPass> Pass;
+  StandInBox Box;
+  VolumeTextures Textures;
+  AccumulationBuffer Accumulation;
+  const DrawnScene* Scene = nullptr;
+  Part Current;
+  bool Gathering = false;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+};
+
+}
+
+#endif
