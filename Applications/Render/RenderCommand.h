@@ -16,8 +16,7 @@ namespace penumbra
 /**
  * Reads, renders and writes as the command says, and prints warnings to stderr. Files appear only if
  * all went well.
- * @throw InputError, VolumeReadingError where the input is not valid, RenderingError where rendering
- * fails.
+ * @throw InputError where the input is not valid, RenderingError where rendering fails.
  */
 void Execute(const RenderCommand& command, vtkMessageCollector* messages);
 

@@ -3,7 +3,6 @@
 
 #include "InputError.h"
 #include "RenderCommand.h"
-#include "VolumeReadingError.h"
 #include "vtkMessageCollector.h"
 
 #include <vtkNew.h>
@@ -49,10 +48,6 @@ int main(int argc, char* argv[])
     return Done;
   }
   catch (const penumbra::InputError& error)
-  {
-    return Fail(BadInput, error.what());
-  }
-  catch (const penumbra::VolumeReadingError& error)
   {
     return Fail(BadInput, error.what());
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace penumbra
 {
@@ -15,7 +16,9 @@ constexpr std::size_t LongestValueInMessages = 60;
 
 std::string InWords(double number)
 {
-  return nlohmann::json(number).dump();
+  std::ostringstream text;
+  text << number;
+  return text.str();
 }
 
 std::string Join(const std::vector<std::string>& names)

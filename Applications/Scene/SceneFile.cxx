@@ -56,8 +56,12 @@ std::string ReasonOf(const nlohmann::json::exception& error)
 
 std::string ReadText(const std::filesystem::path& file)
 {
-  std::ifstream stream(file, std::ios::binary);
   std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+  {
+    throw InputError("there is no such file");
+  }
+  std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file, ignored))
   {
     throw InputError("cannot be read; a scene is a file of JSON");

@@ -27,7 +27,7 @@ struct SceneVoxels
 
 /**
  * Reads volume and mask. What a user should know of them is appended to `warnings`.
- * @throw InputError or VolumeReadingError where they cannot be read or do not go together.
+ * @throw InputError where they cannot be read or do not go together.
  */
 SceneVoxels ReadVoxels(const VolumeDescription& volume, std::vector<std::string>& warnings);
 

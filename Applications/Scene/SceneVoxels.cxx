@@ -50,12 +50,27 @@ vtkSmartPointer<vtkImageData> ToMaskOf(vtkImageData* volume, vtkImageData* read)
   return mask;
 }
 
+// The reader knows the file, but not which key named it.
+vtkSmartPointer<vtkImageData> ReadFileOfKey(const std::string& key,
+  const std::filesystem::path& file, const RawVolumeGeometry& raw,
+  std::vector<std::string>& warnings)
+{
+  try
+  {
+    return ReadVolumeFile(file.u8string(), raw, warnings);
+  }
+  catch (const VolumeReadingError& error)
+  {
+    throw InputError(key + ": " + error.what());
+  }
+}
+
 vtkSmartPointer<vtkImageData> ReadMask(const std::filesystem::path& file, vtkImageData* volume,
   std::vector<std::string>& warnings)
 {
   RawVolumeGeometry raw;
   std::copy_n(volume->GetDimensions(), 3, raw.dimensions);
-  const auto mask = ReadVolumeFile(file.u8string(), raw, warnings);
+  const auto mask = ReadFileOfKey("volume.mask", file, raw, warnings);
   if (!std::equal(mask->GetDimensions(), mask->GetDimensions() + 3, volume->GetDimensions()))
   {
     throw InputError("volume.mask is " + file.u8string() + " with " +
@@ -70,7 +85,7 @@ vtkSmartPointer<vtkImageData> ReadMask(const std::filesystem::path& file, vtkIma
 SceneVoxels ReadVoxels(const VolumeDescription& volume, std::vector<std::string>& warnings)
 {
   SceneVoxels voxels;
-  voxels.Volume = ReadVolumeFile(volume.File.u8string(), MakeRawGeometry(volume), warnings);
+  voxels.Volume = ReadFileOfKey("volume.file", volume.File, MakeRawGeometry(volume), warnings);
   if (volume.Mask)
   {
     voxels.Mask = ReadMask(*volume.Mask, voxels.Volume, warnings);
