@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <limits>
 #include <system_error>
 #include <vector>
 
@@ -49,6 +48,27 @@ public:
 private:
   std::ifstream File;
   std::string Name;
+};
+
+class PartOfFile : public ByteStream
+{
+public:
+  PartOfFile(const std::filesystem::path& path, std::uint64_t begin, std::uint64_t end)
+    : File(path, begin)
+    , Remaining(end - begin)
+  {
+  }
+
+  std::uint64_t Read(void* destination, std::uint64_t size) override
+  {
+    const std::uint64_t read = this->File.Read(destination, std::min(size, this->Remaining));
+    this->Remaining -= read;
+    return read;
+  }
+
+private:
+  FileBytes File;
+  std::uint64_t Remaining;
 };
 
 class InflatedBytes : public ByteStream
@@ -126,7 +146,8 @@ private:
     this->Ended = !this->FillInput();
     if (!this->Ended && *this->Inflater.next_in != firstByteOfGzip)
     {
-      throw VolumeReadingError("its compressed data is followed by other bytes; it should end there");
+      throw VolumeReadingError(
+        "its compressed data is followed by other bytes; it should end there");
     }
     if (!this->Ended)
     {
@@ -164,6 +185,12 @@ std::unique_ptr<ByteStream> OpenBytes(
     return std::make_unique<InflatedBytes>(path, offset);
   }
   return std::make_unique<FileBytes>(path, offset);
+}
+
+std::unique_ptr<ByteStream> OpenPart(
+  const std::filesystem::path& path, std::uint64_t begin, std::uint64_t end)
+{
+  return std::make_unique<PartOfFile>(path, begin, end);
 }
 
 std::uint64_t SizeOfFile(const std::filesystem::path& path)

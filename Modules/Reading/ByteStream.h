@@ -32,11 +32,17 @@ public:
 };
 
 /**
- * The bytes of `path` from `offset` on; where `compressed`, what the zlib or gzip stream that begins
- * there holds. Throws VolumeReadingError where the file cannot be opened.
+ * The bytes of `path` from `offset` on; where `compressed`, what the zlib or gzip stream that
+ * begins there holds. Throws VolumeReadingError where the file cannot be opened.
  */
 std::unique_ptr<ByteStream> OpenBytes(
   const std::filesystem::path& path, std::uint64_t offset, bool compressed);
+
+/**
+ * The bytes of `path` from `begin` to before `end`.
+ */
+std::unique_ptr<ByteStream> OpenPart(
+  const std::filesystem::path& path, std::uint64_t begin, std::uint64_t end);
 
 /**
  * The size of `path` in bytes. Throws VolumeReadingError where it does not exist, is no file or is

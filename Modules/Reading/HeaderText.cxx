@@ -56,9 +56,8 @@ bool HeaderLines::Next(std::string& line)
 std::string Trimmed(const std::string& text)
 {
   const std::size_t first = text.find_first_not_of(Blanks);
-  return first == std::string::npos
-    ? std::string()
-    : text.substr(first, text.find_last_not_of(Blanks) - first + 1);
+  return first == std::string::npos ? std::string()
+                                    : text.substr(first, text.find_last_not_of(Blanks) - first + 1);
 }
 
 std::string LowerCase(std::string text)
@@ -87,7 +86,8 @@ double ToNumber(const std::string& word, const std::string& name)
 {
   const std::string lower = LowerCase(word);
   const bool negative = lower.compare(0, 1, "-") == 0;
-  const std::string unsignedWord = negative || lower.compare(0, 1, "+") == 0 ? lower.substr(1) : lower;
+  const std::string unsignedWord =
+    negative || lower.compare(0, 1, "+") == 0 ? lower.substr(1) : lower;
   if (unsignedWord == "nan")
   {
     return std::numeric_limits<double>::quiet_NaN();

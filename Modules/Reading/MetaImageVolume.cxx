@@ -165,8 +165,7 @@ int ScalarTypeOf(const Header& header)
   return type->second;
 }
 
-std::vector<std::filesystem::path> FilesOf(
-  const std::filesystem::path& path, const Header& header)
+std::vector<std::filesystem::path> FilesOf(const std::filesystem::path& path, const Header& header)
 {
   const std::string value = header.Needed("ElementDataFile");
   const std::vector<std::string> words = Words(value);
@@ -190,7 +189,8 @@ std::vector<std::filesystem::path> FilesOf(
   const auto number = [&words](std::size_t word, const std::string& otherwise) {
     return ToInteger(word < words.size() ? words[word] : otherwise, "a number of ElementDataFile");
   };
-  return DataFiles(path, ExpandPattern(words[0], number(1, "1"), number(2, slices), number(3, "1")));
+  return DataFiles(
+    path, ExpandPattern(words[0], number(1, "1"), number(2, slices), number(3, "1")));
 }
 
 void SetOffset(const Header& header, VoxelData& data)

@@ -149,8 +149,9 @@ NiftiHeader ReadNiftiHeader(ByteStream& stream)
     }
     if (size == Size1 && std::memcmp(&bytes[344], "ni1", 4) == 0)
     {
-      throw VolumeReadingError("its voxels are in a file of their own (.hdr and .img); a NIfTI file "
-                               "that holds both is needed");
+      throw VolumeReadingError(
+        "its voxels are in a file of their own (.hdr and .img); a NIfTI file "
+        "that holds both is needed");
     }
   }
   throw VolumeReadingError("its header is not that of NIfTI-1 or NIfTI-2");

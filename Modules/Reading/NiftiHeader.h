@@ -37,8 +37,8 @@ struct NiftiHeader
 };
 
 /**
- * Reads the header from the start of a file. Throws VolumeReadingError where it is not that of a NIfTI
- * file with header and voxels in one.
+ * Reads the header from the start of a file. Throws VolumeReadingError where it is not that of a
+ * NIfTI file with header and voxels in one.
  */
 NiftiHeader ReadNiftiHeader(ByteStream& stream);
 

@@ -44,8 +44,8 @@ std::int64_t TimeStepsOf(const NiftiHeader& header)
 {
   if (header.dim[0] < 1 || header.dim[0] > 7)
   {
-    throw VolumeReadingError(
-      "its dim[0] is " + std::to_string(header.dim[0]) + "; a number of axes from 1 to 7 is needed");
+    throw VolumeReadingError("its dim[0] is " + std::to_string(header.dim[0]) +
+      "; a number of axes from 1 to 7 is needed");
   }
   for (std::int64_t axis = 5; axis <= header.dim[0]; ++axis)
   {
@@ -146,8 +146,8 @@ void SetScaling(const NiftiHeader& header, VoxelData& data)
   }
   if (!std::isfinite(header.scl_inter))
   {
-    throw VolumeReadingError("its scl_inter is " + std::to_string(header.scl_inter) +
-      "; a finite number is needed");
+    throw VolumeReadingError(
+      "its scl_inter is " + std::to_string(header.scl_inter) + "; a finite number is needed");
   }
   data.slope = header.scl_slope;
   data.intercept = header.scl_inter;
@@ -173,8 +173,7 @@ Volume ReadNiftiVolume(const std::filesystem::path& path, bool compressed, Warni
   data.bytesAfter = bytes * static_cast<std::uint64_t>(timeSteps - 1);
   if (timeSteps > 1)
   {
-    warnings.push_back(
-      "of its " + std::to_string(timeSteps) + " steps in time the first is read");
+    warnings.push_back("of its " + std::to_string(timeSteps) + " steps in time the first is read");
   }
   return ReadVoxels(geometry, data, warnings);
 }

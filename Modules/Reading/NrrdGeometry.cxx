@@ -45,8 +45,8 @@ Vector3 InThreeDimensions(const std::vector<double>& vector)
 {
   if (vector.size() != 2 && vector.size() != 3)
   {
-    throw VolumeReadingError("its space has " + std::to_string(vector.size()) +
-      " dimensions; 2 or 3 are needed");
+    throw VolumeReadingError(
+      "its space has " + std::to_string(vector.size()) + " dimensions; 2 or 3 are needed");
   }
   return { vector[0], vector[1], vector.size() == 3 ? vector[2] : 0.0 };
 }

@@ -34,8 +34,8 @@ std::optional<std::vector<std::string>> NrrdHeader::WordsPerAxis(const std::stri
   std::vector<std::string> words = Words(*value);
   if (words.size() != this->NumberOfAxes())
   {
-    throw VolumeReadingError("the field \"" + name + "\" is \"" + *value + "\"; one value for each of " +
-      std::to_string(this->NumberOfAxes()) + " axes is needed");
+    throw VolumeReadingError("the field \"" + name + "\" is \"" + *value +
+      "\"; one value for each of " + std::to_string(this->NumberOfAxes()) + " axes is needed");
   }
   return words;
 }

@@ -52,8 +52,8 @@ struct NrrdHeader
 NrrdHeader ReadNrrdHeader(const std::filesystem::path& path);
 
 /**
- * Dimensions, spacing, origin and direction in the file's own space. Throws VolumeReadingError where
- * they are not those of a volume of one value per voxel.
+ * Dimensions, spacing, origin and direction in the file's own space. Throws VolumeReadingError
+ * where they are not those of a volume of one value per voxel.
  */
 VolumeGeometry NrrdGeometry(const NrrdHeader& header);
 

@@ -27,12 +27,11 @@ int ScalarTypeOf(const NrrdHeader& header)
     { "uint16", VTK_UNSIGNED_SHORT }, { "uint16_t", VTK_UNSIGNED_SHORT }, { "int", VTK_INT },
     { "signed int", VTK_INT }, { "int32", VTK_INT }, { "int32_t", VTK_INT },
     { "uint", VTK_UNSIGNED_INT }, { "unsigned int", VTK_UNSIGNED_INT },
-    { "uint32", VTK_UNSIGNED_INT }, { "uint32_t", VTK_UNSIGNED_INT },
-    { "longlong", VTK_LONG_LONG }, { "long long", VTK_LONG_LONG },
-    { "long long int", VTK_LONG_LONG }, { "signed long long", VTK_LONG_LONG },
-    { "signed long long int", VTK_LONG_LONG }, { "int64", VTK_LONG_LONG },
-    { "int64_t", VTK_LONG_LONG }, { "ulonglong", VTK_UNSIGNED_LONG_LONG },
-    { "unsigned long long", VTK_UNSIGNED_LONG_LONG },
+    { "uint32", VTK_UNSIGNED_INT }, { "uint32_t", VTK_UNSIGNED_INT }, { "longlong", VTK_LONG_LONG },
+    { "long long", VTK_LONG_LONG }, { "long long int", VTK_LONG_LONG },
+    { "signed long long", VTK_LONG_LONG }, { "signed long long int", VTK_LONG_LONG },
+    { "int64", VTK_LONG_LONG }, { "int64_t", VTK_LONG_LONG },
+    { "ulonglong", VTK_UNSIGNED_LONG_LONG }, { "unsigned long long", VTK_UNSIGNED_LONG_LONG },
     { "unsigned long long int", VTK_UNSIGNED_LONG_LONG }, { "uint64", VTK_UNSIGNED_LONG_LONG },
     { "uint64_t", VTK_UNSIGNED_LONG_LONG }, { "float", VTK_FLOAT }, { "double", VTK_DOUBLE } };
   const std::string name = header.Needed("type");
@@ -100,9 +99,8 @@ std::vector<std::filesystem::path> FilesOf(
     throw VolumeReadingError("the field \"data file\" is \"" + value +
       "\"; a pattern, the first number, the last and the step are needed");
   }
-  const auto number = [&words](std::size_t word) {
-    return ToInteger(words[word], "a number of the field \"data file\"");
-  };
+  const auto number = [&words](std::size_t word)
+  { return ToInteger(words[word], "a number of the field \"data file\""); };
   return DataFiles(path, ExpandPattern(words[0], number(1), number(2), number(3)));
 }
 

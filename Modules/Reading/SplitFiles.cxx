@@ -3,36 +3,69 @@
 #include "ByteStream.h"
 #include "VolumeReadingError.h"
 
-#include <regex>
-
 namespace penumbra
 {
+
+namespace
+{
+
+struct Pattern
+{
+  std::string before;
+  std::string after;
+  std::size_t width = 0;
+  char filling = ' ';
+};
+
+// Only what %d knows is taken from the file, never a format for printf.
+Pattern ParsePattern(const std::string& text)
+{
+  Pattern pattern;
+  std::size_t position = text.find('%');
+  const auto letter = [&](char first, char last)
+  { return position < text.size() && text[position] >= first && text[position] <= last; };
+  pattern.before = text.substr(0, position);
+  position = position == std::string::npos ? text.size() : position + 1;
+  if (letter('0', '0'))
+  {
+    pattern.filling = '0';
+    ++position;
+  }
+  if (letter('1', '9'))
+  {
+    pattern.width = static_cast<std::size_t>(text[position++] - '0');
+  }
+  const bool isNumber = letter('d', 'd');
+  pattern.after = isNumber ? text.substr(position + 1) : std::string();
+  if (!isNumber || pattern.after.find('%') != std::string::npos)
+  {
+    throw VolumeReadingError("the names of its data files are given as \"" + text +
+      "\"; one number such as %d or %03d in it is right");
+  }
+  return pattern;
+}
+
+}
 
 std::vector<std::string> ExpandPattern(
   const std::string& pattern, std::int64_t first, std::int64_t last, std::int64_t step)
 {
   // More files than any volume has slices; it keeps a damaged header from filling the memory.
-  constexpr std::int64_t mostFiles = 1 << 20;
-  std::smatch match;
-  if (!std::regex_match(pattern, match, std::regex("([^%]*)%(0?)([1-9]?)d([^%]*)")))
-  {
-    throw VolumeReadingError("the names of its data files are given as \"" + pattern +
-      "\"; one number such as %d or %03d in it is right");
-  }
+  constexpr std::int64_t mostFiles = 1 << 16;
+  const Pattern parsed = ParsePattern(pattern);
   if (step < 1 || first < 0 || last < first || (last - first) / step >= mostFiles)
   {
     throw VolumeReadingError("its data files are numbered from " + std::to_string(first) + " to " +
       std::to_string(last) + " in steps of " + std::to_string(step) +
       "; rising numbers from 0 on are needed");
   }
-  const std::size_t width = match[3].length() > 0 ? std::stoul(match[3]) : 0;
-  const char filling = match[2].length() > 0 ? '0' : ' ';
   std::vector<std::string> names;
-  for (std::int64_t number = first; number <= last; number += step)
+  for (std::int64_t file = 0; file <= (last - first) / step; ++file)
   {
-    std::string digits = std::to_string(number);
-    digits.insert(0, width > digits.size() ? width - digits.size() : 0, filling);
-    names.push_back(match[1].str() + digits + match[4].str());
+    std::string digits = std::to_string(first + file * step);
+    digits.insert(
+      0, parsed.width > digits.size() ? parsed.width - digits.size() : 0, parsed.filling);
+    names.push_back(parsed.before + digits + parsed.after);
   }
   return names;
 }

@@ -18,8 +18,8 @@ namespace penumbra
 
 /**
  * The names that `pattern`, which holds one "%d" with an optional width such as "%03d", gives for
- * first, first + step and so on to `last`. Throws VolumeReadingError where the pattern is another or
- * the numbers lead nowhere.
+ * first, first + step and so on to `last`. Throws VolumeReadingError where the pattern is another
+ * or the numbers lead nowhere.
  */
 std::vector<std::string> ExpandPattern(
   const std::string& pattern, std::int64_t first, std::int64_t last, std::int64_t step);

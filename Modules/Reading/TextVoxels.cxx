@@ -58,7 +58,8 @@ private:
   {
     if (this->Position == this->Size)
     {
-      this->Size = static_cast<std::size_t>(this->Bytes.Read(this->Buffer.data(), this->Buffer.size()));
+      this->Size =
+        static_cast<std::size_t>(this->Bytes.Read(this->Buffer.data(), this->Buffer.size()));
       this->Position = 0;
     }
     if (this->Position < this->Size)
@@ -114,13 +115,12 @@ void ReadTextVoxels(ByteStream& stream, int scalarType, std::uint64_t count, voi
   NumberStream words(stream);
   switch (scalarType)
   {
-    vtkTemplateMacro(
-      ReadVoxels(words, scalarType, count, static_cast<VTK_TT*>(destination)));
+    vtkTemplateMacro(ReadVoxels(words, scalarType, count, static_cast<VTK_TT*>(destination)));
   }
   if (!words.Next().empty())
   {
-    throw VolumeReadingError("its data holds more than the " + std::to_string(count) +
-      " numbers that its header states");
+    throw VolumeReadingError(
+      "its data holds more than the " + std::to_string(count) + " numbers that its header states");
   }
 }
 

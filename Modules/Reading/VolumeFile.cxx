@@ -16,8 +16,7 @@ namespace
 
 bool EndsWith(const std::string& text, const std::string& end)
 {
-  return text.size() >= end.size() &&
-    text.compare(text.size() - end.size(), end.size(), end) == 0;
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 bool EndsWithAny(const std::string& text, const std::vector<std::string>& ends)
@@ -58,8 +57,9 @@ Volume ReadByName(const std::filesystem::path& path, const std::optional<RawVolu
   {
     if (!raw)
     {
-      throw VolumeReadingError("a .raw file says nothing about itself; its dimensions and its scalar "
-                               "type are needed");
+      throw VolumeReadingError(
+        "a .raw file says nothing about itself; its dimensions and its scalar "
+        "type are needed");
     }
     return ReadRawVolume(path, *raw, warnings);
   }

@@ -2,28 +2,28 @@
  * @file    VolumeFile.h
  * @brief   one function that reads a volume file of any known format
  *
- * What comes back is one scalar per voxel as the active point scalars of a vtkImageData, whose first
- * voxel has the index (0, 0, 0), and the geometry that the file states: voxel (i, j, k) lies at
- * origin + direction * ((i, j, k) * spacing) in the file's own world and its own unit of length.
+ * What comes back is one scalar per voxel as the active point scalars of a vtkImageData, whose
+ * first voxel has the index (0, 0, 0), and the geometry that the file states: voxel (i, j, k) lies
+ * at origin + direction * ((i, j, k) * spacing) in the file's own world and its own unit of length.
  *
- * | name          | world                                                                          |
- * |---------------|--------------------------------------------------------------------------------|
- * | .raw          | as given by RawVolumeGeometry                                                  |
- * | .mhd .mha     | MetaImage's own (ITK writes LPS): Offset and TransformMatrix, each row of whose |
- * |               | list is the direction of one index axis                                        |
- * | .nrrd .nhdr   | the file's own space (its field "space"): space origin, space directions       |
- * | .nii .nii.gz  | NIfTI's RAS: the sform where its code is positive, else the qform, else pixdim |
- * | .vti          | Origin, Spacing and Direction                                                  |
+ * - .raw: as given by RawVolumeGeometry.
+ * - .mhd, .mha: MetaImage's own world (ITK writes LPS) by Offset and TransformMatrix, each row of
+ *   whose list is the direction of one index axis.
+ * - .nrrd, .nhdr: the file's own space (its field "space") by space origin and space directions;
+ *   without these by spacings and axis mins.
+ * - .nii, .nii.gz: NIfTI's RAS by the sform where its code is positive, else the qform where its
+ *   code is positive, else pixdim alone.
+ * - .vti: by Origin, Spacing and Direction.
  *
  * No format is turned to another's world, so NIfTI's x and y point the other way than those of most
  * MetaImage files. The direction's columns are orthonormal (for .raw: as given); it may mirror.
- * Voxels keep the order of the file. Axes that are sheared by more than 1e-3 (the cosine between
- * two of them; it moves a voxel by less than a quarter of a voxel over 256) are refused, axes
- * sheared by less are made orthogonal.
+ * Voxels keep the order of the file. Axes between two of which the cosine is more than 1e-3 (over
+ * 256 voxels it moves one by a quarter of a voxel) are refused as sheared; less is taken for
+ * rounding and made orthogonal.
  *
- * Scalars keep their type and value, NaN and infinity included, with two exceptions: 64-bit integers
- * become float64 (exact up to 2^53; a warning tells), and NIfTI's scl_slope and scl_inter are
- * applied, which gives float32, or float64 for types that float32 cannot hold.
+ * Scalars keep their type and value, NaN and infinity included, with two exceptions: 64-bit
+ * integers become float64 (exact up to 2^53; a warning tells), and NIfTI's scl_slope and scl_inter
+ * are applied, which gives float32, or float64 for types that float32 cannot hold.
  */
 
 #ifndef VolumeFile_h

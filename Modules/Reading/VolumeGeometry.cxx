@@ -23,8 +23,8 @@ constexpr double ShearTolerance = 1e-3;
 // Rounding in double precision; matrices this close to orthonormal are kept to the last bit.
 constexpr double RoundingTolerance = 1e-12;
 
-// The volume of the parallelepiped of the three directions of unit length, below which they are taken
-// to lie in a plane.
+// The volume of the parallelepiped of the three directions of unit length, below which they are
+// taken to lie in a plane.
 constexpr double SingularTolerance = 1e-6;
 
 template <typename Values>

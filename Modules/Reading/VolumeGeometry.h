@@ -33,7 +33,8 @@ struct VolumeGeometry
 void SetSteps(VolumeGeometry& geometry, const std::array<Vector3, 3>& steps);
 
 /**
- * Throws VolumeReadingError where dimensions, spacing, origin or direction are not those of a volume.
+ * Throws VolumeReadingError where dimensions, spacing, origin or direction are not those of a
+ * volume.
  */
 void CheckGeometry(const VolumeGeometry& geometry);
 

@@ -1,12 +1,12 @@
 #include "VoxelArray.h"
 
 #include "VolumeReadingError.h"
+#include "vtkByteSwap.h"
 #include "vtkDataArray.h"
 
 #include <vtksys/SystemInformation.hxx>
 
 #include <cstdlib>
-#include <limits>
 
 namespace penumbra
 {
@@ -50,6 +50,16 @@ vtkSmartPointer<vtkDataArray> AllocateVoxels(int scalarType, std::uint64_t count
   voxels->SetVoidArray(
     memory, static_cast<vtkIdType>(count), 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
   return voxels;
+}
+
+void SwapToMachine(void* voxels, std::uint64_t count, std::uint64_t scalarSize, bool bigEndian)
+{
+  const std::uint16_t one = 1;
+  const bool machineIsBigEndian = *reinterpret_cast<const unsigned char*>(&one) == 0;
+  if (bigEndian != machineIsBigEndian)
+  {
+    vtkByteSwap::SwapVoidRange(voxels, count, scalarSize);
+  }
 }
 
 vtkSmartPointer<vtkDataArray> Rescaled(vtkDataArray* voxels, double slope, double intercept)

@@ -24,8 +24,13 @@ namespace penumbra
 vtkSmartPointer<vtkDataArray> AllocateVoxels(int scalarType, std::uint64_t count);
 
 /**
- * slope * v + intercept for every v of `voxels`: as float32 if that holds every value of their type,
- * else as float64.
+ * Turns `count` voxels of `scalarSize` bytes from the given byte order to the machine's.
+ */
+void SwapToMachine(void* voxels, std::uint64_t count, std::uint64_t scalarSize, bool bigEndian);
+
+/**
+ * slope * v + intercept for every v of `voxels`: as float32 if that holds every value of their
+ * type, else as float64.
  */
 vtkSmartPointer<vtkDataArray> Rescaled(vtkDataArray* voxels, double slope, double intercept);
 

@@ -6,7 +6,6 @@
 #include "VolumeGeometry.h"
 #include "VolumeReadingError.h"
 #include "VoxelArray.h"
-#include "vtkByteSwap.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -70,8 +69,8 @@ void CheckSize(const std::filesystem::path& file, const VoxelData& data, const S
   const std::uint64_t present = size - std::min(offset, size);
   const std::uint64_t expected = Sum(Sum(share.bytes, data.offsetInStream), data.bytesAfter);
   const std::uint64_t header = Sum(offset, data.offsetInStream);
-  const std::string found = "\"" + file.filename().u8string() + "\" holds " +
-    std::to_string(size) + " bytes, but " +
+  const std::string found = "\"" + file.filename().u8string() + "\" holds " + std::to_string(size) +
+    " bytes, but " +
     (header > 0 ? "a header of " + std::to_string(header) + " bytes and " : std::string()) +
     share.words;
   switch (data.encoding)
@@ -118,14 +117,8 @@ void ReadBinary(ByteStream& stream, const VoxelData& data, const Share& share, c
   }
 }
 
-bool MachineIsBigEndian()
-{
-  const std::uint16_t one = 1;
-  return *reinterpret_cast<const unsigned char*>(&one) == 0;
-}
-
-void ReadFile(const std::filesystem::path& file, const VoxelData& data, const Share& share,
-  char* destination)
+void ReadFile(
+  const std::filesystem::path& file, const VoxelData& data, const Share& share, char* destination)
 {
   const std::uint64_t offset = OffsetIn(SizeOfFile(file), data, share);
   const auto stream = OpenBytes(file, offset, data.encoding == VoxelEncoding::Compressed);
@@ -135,10 +128,7 @@ void ReadFile(const std::filesystem::path& file, const VoxelData& data, const Sh
     return;
   }
   ReadBinary(*stream, data, share, destination);
-  if (data.bigEndian != MachineIsBigEndian())
-  {
-    vtkByteSwap::SwapVoidRange(destination, share.voxels, share.bytes / share.voxels);
-  }
+  SwapToMachine(destination, share.voxels, share.bytes / share.voxels, data.bigEndian);
 }
 
 }
@@ -160,8 +150,8 @@ vtkSmartPointer<vtkImageData> ReadVoxels(
     destination += share.bytes;
   }
   const bool rescales = data.slope != 1.0 || data.intercept != 0.0;
-  voxels = rescales ? Rescaled(voxels, data.slope, data.intercept)
-                    : WithoutLongIntegers(voxels, warnings);
+  voxels =
+    rescales ? Rescaled(voxels, data.slope, data.intercept) : WithoutLongIntegers(voxels, warnings);
   voxels->SetName("scalars");
   auto image = vtkSmartPointer<vtkImageData>::New();
   ApplyGeometry(geometry, image);
