@@ -134,6 +134,7 @@ TEST_CASE("A finalized window can be used again")
   scene.Window->SetSize(40, 20);
   scene.CheckPicture(40, 20);
   scene.Window->Finalize();
+  CHECK_FALSE(scene.Window->IsCurrent());
   scene.CheckPicture(40, 20);
 }
 

@@ -72,6 +72,18 @@ TEST_CASE("Gaussian noise has its standard deviation as RMSE")
   CHECK(CompareImages(grey, noisy).rmse == Approx(10.0).epsilon(0.02));
 }
 
+TEST_CASE("Similarity is that of the luminances")
+{
+  const int channel = GENERATE(0, 1, 2);
+  const double weights[] = { 0.299, 0.587, 0.114 };
+  const auto black = MakeBlank(20, 20);
+  const auto tinted =
+    MakePicture(20, 20, 3, [=](int, int, int c) { return c == channel ? 100 : 0; });
+  const double luminance = 100 * weights[channel];
+  const double c1 = 2.55 * 2.55;
+  CHECK(CompareImages(black, tinted).ssim == Approx(c1 / (luminance * luminance + c1)));
+}
+
 TEST_CASE("Pictures that cannot be compared are refused")
 {
   CHECK_THROWS_AS(CompareImages(MakeBlank(64, 48), MakeBlank(48, 64)), std::invalid_argument);

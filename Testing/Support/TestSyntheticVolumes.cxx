@@ -105,9 +105,10 @@ TEST_CASE("The signal of Marschner and Lobb has its published values")
   CHECK(At(signal, 10, 5, 0) == Approx(1.0));
   // At x = 1 in the middle plane the inner cosine is 0, so that rho is 1 again.
   CHECK(At(signal, 20, 5, 20) == Approx(0.6));
-  // At r = 1/2 rho is cos(12 pi cos(pi / 4)).
+  // At r = 1/2 rho is cos(12 pi cos(pi / 4)), whatever z is.
   const double rho = std::cos(12 * vtkMath::Pi() * std::cos(vtkMath::Pi() / 4));
   CHECK(At(signal, 15, 5, 20) == Approx((1 + 0.25 * (1 + rho)) / 2.5));
+  CHECK(At(signal, 15, 5, 40) == Approx(0.25 * (1 + rho) / 2.5));
   double range[2];
   signal->GetScalarRange(range);
   CHECK(range[0] >= 0.0);
