@@ -79,10 +79,12 @@ Blocks ReadBlockSizes(ByteStream& stream, const XmlVoxels& voxels, std::uint64_t
   blocks.size = ReadHeaderNumber(stream, voxels);
   const std::uint64_t partialSize = ReadHeaderNumber(stream, voxels);
   blocks.lastSize = partialSize > 0 ? partialSize : blocks.size;
-  // In this order nothing can overflow.
-  const bool possible = count > 0 && count <= present / voxels.headerSize && blocks.size <= bytes &&
-    blocks.lastSize <= bytes && (count == 1 || blocks.size <= bytes / (count - 1)) &&
-    (count - 1) * blocks.size + blocks.lastSize == bytes;
+  // A single block is a partial one, however large a full one would be. In this order nothing can
+  // overflow.
+  const std::uint64_t full = count - 1;
+  const bool possible = count > 0 && count <= present / voxels.headerSize &&
+    blocks.lastSize <= bytes && (full == 0 || blocks.size <= bytes / full) &&
+    full * blocks.size + blocks.lastSize == bytes;
   if (!possible)
   {
     throw VolumeReadingError("its compressed voxels are damaged: their blocks do not add up to " +

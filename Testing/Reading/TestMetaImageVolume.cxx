@@ -1,0 +1,107 @@
+#include "Catch.h"
+#include "SampleVolume.h"
+#include "vtkMetaImageWriter.h"
+#include "vtkNew.h"
+
+using Catch::Matchers::ContainsSubstring;
+
+namespace
+{
+
+const std::string Start = "ObjectType = Image\nNDims = 3\nDimSize = 3 4 5\n";
+const std::string End = "ElementType = MET_SHORT\nElementDataFile = LOCAL\n";
+
+}
+
+TEST_CASE("MetaImage voxels are read from raw, compressed and text data")
+{
+  const TemporaryFolder folder;
+  const auto voxels = SampleBytes<short>();
+  CHECK(IsSample(Read(folder.Write("a.mha", Start + End + voxels))));
+  CHECK(IsSample(Read(folder.Write(
+    "b.mha", Start + "BinaryDataByteOrderMSB = True\n" + End + SampleBytes<short>(true)))));
+  CHECK(IsSample(Read(
+    folder.Write("c.MHA", Start + "CompressedData = True\n" + End + Compressed(voxels, false)))));
+  CHECK(IsSample(Read(folder.Write("d.mha", Start + "BinaryData = False\n" + End + SampleText()))));
+
+  folder.Write("my data.raw", "skipped" + voxels);
+  const std::string detached = "ElementType = MET_SHORT\nElementDataFile = my data.raw\n";
+  CHECK(IsSample(Read(folder.Write("e.mhd", Start + "HeaderSize = 7\n" + detached))));
+  CHECK(IsSample(Read(folder.Write("f.mhd", Start + "HeaderSize = -1\r\n" + detached))));
+  CHECK_THAT(FailureOf(folder.Write("g.mhd", Start + detached)),
+    ContainsSubstring("holds 127 bytes") && ContainsSubstring("need exactly 120 bytes"));
+}
+
+TEST_CASE("Each row of a MetaImage's TransformMatrix is the direction of an index axis")
+{
+  const TemporaryFolder folder;
+  const std::string placed = Start + "TransformMatrix = 0 1 0 0 0 1 1 0 0\n" +
+    "Offset = 10 20 30\nElementSpacing = 2 3 4\nCenterOfRotation = 0 0 0\n" + End +
+    SampleBytes<short>();
+  CHECK(IsPlaced(Read(folder.Write("a.mha", placed)), { 10, 20, 30 },
+    { { { 0, 2, 0 }, { 0, 0, 3 }, { 4, 0, 0 } } }));
+}
+
+TEST_CASE("A MetaImage's mirroring, oblique directions stay, sheared ones are refused")
+{
+  const TemporaryFolder folder;
+  const auto withMatrix = [&](const std::string& matrix)
+  {
+    return folder.Write(
+      "a.mha", Start + "TransformMatrix = " + matrix + "\n" + End + SampleBytes<short>());
+  };
+  CHECK(IsPlaced(Read(withMatrix("0.6 0.8 0 -0.8 0.6 0 0 0 -1")), { 0, 0, 0 },
+    { { { 0.6, 0.8, 0 }, { -0.8, 0.6, 0 }, { 0, 0, -1 } } }));
+  // Four digits of a turn by 30 degrees: not exactly perpendicular, but meant to be.
+  CHECK(IsPlaced(Read(withMatrix("0.8660 0.5001 0 -0.5 0.866 0 0 0 1")), { 0, 0, 0 },
+    { { { 0.8660, 0.5, 0 }, { -0.5, 0.8660, 0 }, { 0, 0, 1 } } }, 1e-3));
+  CHECK_THAT(FailureOf(withMatrix("1 0 0 0.01 1 0 0 0 1")), ContainsSubstring("sheared"));
+  CHECK_THAT(FailureOf(withMatrix("1 0 0 1 0 0 0 0 1")), ContainsSubstring("sheared"));
+  CHECK_THAT(FailureOf(withMatrix("1 0 0 0 0 0 0 0 1")), ContainsSubstring("axis 2"));
+  CHECK_THAT(FailureOf(withMatrix("1 0 0 0 nan 0 0 0 1")), ContainsSubstring("axis 2"));
+  CHECK_THAT(FailureOf(withMatrix("1 0 0 0 1 0")), ContainsSubstring("TransformMatrix"));
+}
+
+TEST_CASE("What VTK writes as MetaImage is read")
+{
+  const TemporaryFolder folder;
+  const auto sample = Read(folder.Write(
+    "a.mha", Start + "Offset = 1 2 3\nElementSpacing = 2 3 4\n" + End + SampleBytes<short>()));
+  for (const bool compressed : { false, true })
+  {
+    vtkNew<vtkMetaImageWriter> writer;
+    writer->SetInputData(sample);
+    writer->SetFileName(folder.Path("b.mha").c_str());
+    writer->SetCompression(compressed);
+    writer->Write();
+    const auto image = Read(folder.Path("b.mha"));
+    CHECK(IsSample(image));
+    CHECK(IsPlaced(image, { 1, 2, 3 }, { { { 2, 0, 0 }, { 0, 3, 0 }, { 0, 0, 4 } } }));
+  }
+}
+
+TEST_CASE("MetaImage headers that describe no scalar volume are refused by name")
+{
+  const TemporaryFolder folder;
+  const auto failure = [&](const std::string& lines)
+  { return FailureOf(folder.Write("a.mha", lines + SampleBytes<short>())); };
+  CHECK_THAT(failure("NDims = 4\nDimSize = 3 4 5 1\n" + End), ContainsSubstring("NDims"));
+  CHECK_THAT(failure("NDims = 3\n" + End), ContainsSubstring("lacks DimSize"));
+  CHECK_THAT(failure("NDims = 3\nDimSize = 3 4\n" + End), ContainsSubstring("DimSize"));
+  CHECK_THAT(failure("NDims = 3\nDimSize = 3 4 x\n" + End), ContainsSubstring("DimSize"));
+  CHECK_THAT(failure("NDims = 3\nDimSize = 3 -4 5\n" + End), ContainsSubstring("dimensions"));
+  CHECK_THAT(failure("NDims = 3\nDimSize = 100000 100000 100000\n" + End),
+    ContainsSubstring("need exactly 2000000000000"));
+  for (const char* spacing : { "0 1 1", "1 -1 1", "1 1 nan", "1 inf 1", "1 1" })
+  {
+    CHECK_THAT(failure(Start + "ElementSpacing = " + spacing + "\n" + End),
+      ContainsSubstring("spacing") || ContainsSubstring("ElementSpacing"));
+  }
+  CHECK_THAT(
+    failure(Start + "ElementNumberOfChannels = 3\n" + End), ContainsSubstring("per voxel"));
+  CHECK_THAT(failure(Start + "ElementType = MET_STRING\nElementDataFile = LOCAL\n"),
+    ContainsSubstring("ElementType"));
+  CHECK_THAT(failure(Start + "ElementDataFile = LOCAL\n"), ContainsSubstring("lacks ElementType"));
+  CHECK_THAT(failure(Start + "ElementType = MET_SHORT\nElementDataFile = gone.raw\n"),
+    ContainsSubstring("gone.raw") && ContainsSubstring("does not exist"));
+}
