@@ -1,0 +1,96 @@
+#include "Catch.h"
+#include "TransferFunctionLookup.h"
+
+#include <functional>
+#include <vector>
+
+using namespace penumbra;
+
+namespace
+{
+using Change = std::function<void(OwnedFunctions&)>;
+
+// What makes a function more than straight lines between its points.
+const std::vector<Change> Curves = {
+  [](OwnedFunctions& owned) { owned.color->SetColorSpaceToHSV(); },
+  [](OwnedFunctions& owned) { owned.color->SetColorSpaceToLab(); },
+  [](OwnedFunctions& owned) { owned.color->SetColorSpaceToDiverging(); },
+  [](OwnedFunctions& owned) { owned.color->SetScaleToLog10(); },
+  [](OwnedFunctions& owned) { owned.color->AddRGBPoint(128.0, 0.0, 1.0, 0.0, 0.3, 0.6); },
+  [](OwnedFunctions& owned) { owned.opacity->AddPoint(128.0, 0.4, 0.2, 0.7); },
+};
+
+OwnedFunctions& SetUp(OwnedFunctions& owned)
+{
+  owned.color->RemoveAllPoints();
+  owned.color->AddRGBPoint(1.0, 0.8, 0.1, 0.1);
+  owned.color->AddRGBPoint(255.0, 0.1, 0.2, 0.9);
+  owned.SetRange(1.0, 255.0);
+  return owned;
+}
+}
+
+TEST_CASE("Curved colour and opacity functions are tables that follow the curve")
+{
+  for (const Change& bend : Curves)
+  {
+    OwnedFunctions owned{ { 1.0, 0.0 }, { 255.0, 0.5 } };
+    bend(SetUp(owned));
+    const TransferFunctionTable table = owned.MakeTable();
+    CHECK(table.Lookup == TransferFunctionLookup::Table);
+    for (double scalar = 1.0; scalar < 255.0; scalar += 1.7)
+    {
+      const Matter found = LookUp(table, scalar, 1.0);
+      const Matter expected = Evaluate(owned.functions, scalar);
+      INFO("at " << scalar);
+      // A table's tolerances.
+      CHECK(found.extinction == Approx(expected.extinction).epsilon(0.007).margin(3e-4));
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        CHECK(found.color[channel] == Approx(expected.color[channel]).margin(0.006));
+      }
+    }
+  }
+}
+
+TEST_CASE("A curved function with a step stays a table, as fine as allowed")
+{
+  for (const Change& bend : Curves)
+  {
+    OwnedFunctions owned{ { 1.0, 0.1 }, { 100.3, 0.1 }, { 100.3, 0.6 }, { 255.0, 0.6 } };
+    bend(SetUp(owned));
+    const TransferFunctionTable table = owned.MakeTable();
+    CHECK(table.Lookup == TransferFunctionLookup::Table);
+    CHECK(table.GetSize() == 8192);
+    // A cell is 0.031 wide.
+    CHECK(LookUp(table, 100.26, 1.0).extinction ==
+      Approx(Evaluate(owned.functions, 100.26).extinction).epsilon(0.005));
+    CHECK(LookUp(table, 100.34, 1.0).extinction ==
+      Approx(Evaluate(owned.functions, 100.34).extinction).epsilon(0.005));
+  }
+}
+
+TEST_CASE("A gradient opacity table covers its points and keeps their values beyond")
+{
+  vtkNew<vtkPiecewiseFunction> function;
+  function->AddPoint(5.0, 0.25);
+  function->AddPoint(45.0, 0.75);
+  const GradientOpacityTable table = MakeGradientOpacityTable(function, 401);
+  CHECK(table.Low == 5.0);
+  CHECK(table.High == 45.0);
+  REQUIRE(table.Opacity.size() == 401);
+  CHECK(table.Opacity.front() == 0.25f);
+  CHECK(table.Opacity[200] == Approx(0.5));
+  CHECK(table.Opacity.back() == Approx(0.75));
+}
+
+TEST_CASE("A gradient opacity function of one value, or of none, is a table of it")
+{
+  vtkNew<vtkPiecewiseFunction> function;
+  const GradientOpacityTable none = MakeGradientOpacityTable(function, 16);
+  CHECK(none.Opacity == std::vector<float>(16, 1.0f));
+  function->AddPoint(7.0, 0.5);
+  const GradientOpacityTable constant = MakeGradientOpacityTable(function, 16);
+  CHECK(constant.Opacity == std::vector<float>(16, 0.5f));
+  CHECK(constant.High > constant.Low);
+}
