@@ -20,6 +20,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 using namespace penumbra;
@@ -140,7 +141,8 @@ void vtkIlluminatedVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* vol
 }
 
 //------------------------------------------------------------------------------
-// VTK 9.1 keeps lights in arrays of six and does not check their number.
+// The stock ray caster does not end on a sample distance of 0, and VTK 9.1 keeps lights in arrays of six
+// whose bound it does not check.
 void vtkIlluminatedVolumeMapper::DrawStock(vtkRenderer* renderer, vtkVolume* volume)
 {
   constexpr int largestNumberOfLights = 6;
@@ -156,11 +158,27 @@ void vtkIlluminatedVolumeMapper::DrawStock(vtkRenderer* renderer, vtkVolume* vol
       switchedOff.push_back(light);
     }
   }
+  const float askedSampleDistance = this->SampleDistance;
+  this->SampleDistance = static_cast<float>(this->GetSampleDistanceOrDefault());
   this->Superclass::GPURender(renderer, volume);
+  this->SampleDistance = askedSampleDistance;
   for (vtkLight* light : switchedOff)
   {
     light->SwitchOn();
   }
+}
+
+//------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetSampleDistanceOrDefault()
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  if (this->SampleDistance > 0.0f || !image)
+  {
+    return this->SampleDistance > 0.0f ? this->SampleDistance : 1.0;
+  }
+  const double* spacing = image->GetSpacing();
+  return 0.5 *
+    std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }
 
 //------------------------------------------------------------------------------
@@ -313,8 +331,7 @@ void vtkIlluminatedVolumeMapper::PlanDraws()
   DrawnScene& scene = this->Internal->Scene;
   MarchingTask task;
   task.Diagonal = scene.Geometry.GetDiagonal();
-  task.SampleDistance =
-    this->SampleDistance > 0.0f ? this->SampleDistance : 0.5 * scene.Geometry.SmallestSpacing;
+  task.SampleDistance = this->GetSampleDistanceOrDefault();
   task.ShadowSampleDistance =
     this->ShadowSampleDistance > 0.0 ? this->ShadowSampleDistance : 2.0 * task.SampleDistance;
   task.Lights = scene.Requirements.GetNumberOfLights();

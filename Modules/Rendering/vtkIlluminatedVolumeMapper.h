@@ -130,6 +130,7 @@ protected:
 
   void DrawIlluminated(vtkRenderer* renderer, vtkVolume* volume, vtkDataArray* scalars);
   void DrawStock(vtkRenderer* renderer, vtkVolume* volume);
+  double GetSampleDistanceOrDefault();
   void MoveTo(vtkOpenGLRenderWindow* window);
   bool PrepareGeometry(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
   bool PrepareVisibility(vtkImageData* image);

@@ -24,6 +24,9 @@ TEST_CASE("Picture: gradient opacity ball", "[picture]")
     grid.spacing = { 1.0, 1.0, 1.75 };
     auto scene = std::make_unique<IlluminatedScene>(MakeBall(grid, 16.0, 14.0));
     scene->AddDirectionalLight(-0.6, -0.7, -0.4, vtkVolumeLight::Soft);
+    scene->Opacity->RemoveAllPoints();
+    scene->Opacity->AddPoint(60.0, 0.0);
+    scene->Opacity->AddPoint(255.0, 0.08);
     vtkNew<vtkPiecewiseFunction> gradientOpacity;
     gradientOpacity->AddPoint(4.0, 0.0);
     gradientOpacity->AddPoint(24.0, 1.0);

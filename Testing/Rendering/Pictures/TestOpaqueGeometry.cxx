@@ -1,0 +1,80 @@
+#include "Catch.h"
+#include "IlluminatedScene.h"
+#include "ImageComparison.h"
+#include "SyntheticVolumes.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkPlane.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <memory>
+
+using namespace penumbra;
+
+namespace
+{
+constexpr double Center[3] = { 15.5, 15.5, 15.5 };
+
+std::unique_ptr<IlluminatedScene> MakeScene(bool parallel)
+{
+  auto scene = std::make_unique<IlluminatedScene>(MakeBall({ { 32, 32, 32 } }, 13.0, 6.0), 96, 96);
+  scene->AddDirectionalLight(-0.3, -0.4, -1.0, vtkVolumeLight::Soft);
+  scene->LookFrom(0.0, 0.0, 1.0, 80.0, Center);
+  scene->Renderer->GetActiveCamera()->SetParallelProjection(parallel);
+  scene->Renderer->GetActiveCamera()->SetParallelScale(20.0);
+  return scene;
+}
+
+// A wall of the background's colour across the whole view, facing the camera.
+void AddWall(IlluminatedScene& scene, double z)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(-200.0, -200.0, z);
+  source->SetPoint1(200.0, -200.0, z);
+  source->SetPoint2(-200.0, 200.0, z);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> wall;
+  wall->SetMapper(mapper);
+  wall->GetProperty()->LightingOff();
+  wall->GetProperty()->SetColor(scene.Renderer->GetBackground());
+  scene.Renderer->AddActor(wall);
+}
+}
+
+// A wall hides what is behind it, as a clipping plane does, but its shadow rays still meet the matter
+// there: the light comes from the front, so that none does.
+TEST_CASE("Opaque geometry: a wall through the volume hides what is behind it", "[window]")
+{
+  const bool parallel = GENERATE(false, true);
+  const double imageSampleDistance = GENERATE(1.0, 1.0001);
+  auto clipped = MakeScene(parallel);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, 19.0);
+  plane->SetNormal(0.0, 0.0, 1.0);
+  clipped->Mapper->AddClippingPlane(plane);
+  auto walled = MakeScene(parallel);
+  walled->Mapper->SetImageSampleDistance(imageSampleDistance);
+  AddWall(*walled, 19.0);
+  const ImageDifference difference = CompareImages(walled->Render(), clipped->Render());
+  INFO("rmse " << difference.rmse << " largest " << difference.largest);
+  // The depth buffer has 24 bits and the pictures 8.
+  CHECK(difference.largest <= 1.0);
+  CHECK(CompareImages(walled->Render(), MakeScene(parallel)->Render()).rmse > 1.0);
+}
+
+TEST_CASE("Opaque geometry: a wall in front hides all, one behind nothing", "[window]")
+{
+  const auto free = MakeScene(false)->Render();
+  auto behind = MakeScene(false);
+  AddWall(*behind, -20.0);
+  CHECK(CompareImages(behind->Render(), free).largest == 0.0);
+  auto inFront = MakeScene(false);
+  AddWall(*inFront, 50.0);
+  auto empty = MakeScene(false);
+  empty->Volume->VisibilityOff();
+  CHECK(CompareImages(inFront->Render(), empty->Render()).largest == 0.0);
+}
