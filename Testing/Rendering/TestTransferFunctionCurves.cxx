@@ -8,16 +8,22 @@ using namespace penumbra;
 
 namespace
 {
-using Change = std::function<void(OwnedFunctions&)>;
+struct Curve
+{
+  const char* name;
+  std::function<void(OwnedFunctions&)> bend;
+};
 
 // What makes a function more than straight lines between its points.
-const std::vector<Change> Curves = {
-  [](OwnedFunctions& owned) { owned.color->SetColorSpaceToHSV(); },
-  [](OwnedFunctions& owned) { owned.color->SetColorSpaceToLab(); },
-  [](OwnedFunctions& owned) { owned.color->SetColorSpaceToDiverging(); },
-  [](OwnedFunctions& owned) { owned.color->SetScaleToLog10(); },
-  [](OwnedFunctions& owned) { owned.color->AddRGBPoint(128.0, 0.0, 1.0, 0.0, 0.3, 0.6); },
-  [](OwnedFunctions& owned) { owned.opacity->AddPoint(128.0, 0.4, 0.2, 0.7); },
+const std::vector<Curve> Curves = {
+  { "HSV", [](OwnedFunctions& owned) { owned.color->SetColorSpaceToHSV(); } },
+  { "Lab", [](OwnedFunctions& owned) { owned.color->SetColorSpaceToLab(); } },
+  { "diverging", [](OwnedFunctions& owned) { owned.color->SetColorSpaceToDiverging(); } },
+  { "logarithmic colour", [](OwnedFunctions& owned) { owned.color->SetScaleToLog10(); } },
+  { "bent colour",
+    [](OwnedFunctions& owned) { owned.color->AddRGBPoint(128.0, 0.0, 1.0, 0.0, 0.3, 0.6); } },
+  { "bent opacity", [](OwnedFunctions& owned) { owned.opacity->AddPoint(128.0, 0.4, 0.2, 0.7); } },
+  { "logarithmic opacity", [](OwnedFunctions& owned) { owned.opacity->UseLogScaleOn(); } },
 };
 
 OwnedFunctions& SetUp(OwnedFunctions& owned)
@@ -32,10 +38,11 @@ OwnedFunctions& SetUp(OwnedFunctions& owned)
 
 TEST_CASE("Curved colour and opacity functions are tables that follow the curve")
 {
-  for (const Change& bend : Curves)
+  for (const Curve& curve : Curves)
   {
+    INFO(curve.name);
     OwnedFunctions owned{ { 1.0, 0.0 }, { 255.0, 0.5 } };
-    bend(SetUp(owned));
+    curve.bend(SetUp(owned));
     const TransferFunctionTable table = owned.MakeTable();
     CHECK(table.Lookup == TransferFunctionLookup::Table);
     for (double scalar = 1.0; scalar < 255.0; scalar += 1.7)
@@ -55,10 +62,11 @@ TEST_CASE("Curved colour and opacity functions are tables that follow the curve"
 
 TEST_CASE("A curved function with a step stays a table, as fine as allowed")
 {
-  for (const Change& bend : Curves)
+  for (const Curve& curve : Curves)
   {
+    INFO(curve.name);
     OwnedFunctions owned{ { 1.0, 0.1 }, { 100.3, 0.1 }, { 100.3, 0.6 }, { 255.0, 0.6 } };
-    bend(SetUp(owned));
+    curve.bend(SetUp(owned));
     const TransferFunctionTable table = owned.MakeTable();
     CHECK(table.Lookup == TransferFunctionLookup::Table);
     CHECK(table.GetSize() == 8192);

@@ -74,6 +74,8 @@ TEST_CASE("A spike narrower than the cells of any table is looked up among the p
   {
     OwnedFunctions owned{ { 0.0, 0.0 }, { place - 1.0, 0.0 }, { place, 0.8 }, { place + 1.0, 0.0 },
       { 1e6, 0.0 } };
+    owned.color->RemoveAllPoints();
+    owned.color->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
     owned.SetRange(0.0, 1e6);
     const TransferFunctionTable table = owned.MakeTable();
     INFO("spike at " << place);
@@ -89,6 +91,8 @@ TEST_CASE("Narrow ramps keep their shape where one voxel has a huge value")
   for (const double opacity : { 0.5, 1.0 })
   {
     OwnedFunctions owned{ { 0.0, 0.0 }, { 255.0, opacity }, { 1e30, opacity } };
+    owned.color->RemoveAllPoints();
+    owned.color->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
     owned.SetRange(0.0, 1e30);
     const TransferFunctionTable table = owned.MakeTable();
     CheckOpacity(owned, table, 0.0, 0.0);

@@ -63,14 +63,16 @@ TEST_CASE("A table of integer data is exact at every integer")
 
 TEST_CASE("Ramps are within the tolerance at every scalar")
 {
-  OwnedFunctions owned{ { 10.3, 0.0 }, { 20.7, 0.9 }, { 30.0, 1.0 }, { 200.0, 0.001 } };
+  OwnedFunctions gentle{ { 10.3, 0.0 }, { 200.7, 0.5 } };
+  OwnedFunctions steep{ { 10.3, 0.0 }, { 20.7, 0.9 }, { 30.0, 1.0 }, { 200.0, 0.001 } };
   for (const double unitDistance : { 0.01, 1.0, 100.0 })
   {
-    owned.functions.UnitDistance = unitDistance;
-    const TransferFunctionTable table = owned.MakeTable();
-    REQUIRE(table.Lookup == TransferFunctionLookup::Table);
+    gentle.functions.UnitDistance = steep.functions.UnitDistance = unitDistance;
+    const TransferFunctionTable table = gentle.MakeTable();
+    CHECK(table.Lookup == TransferFunctionLookup::Table);
     CHECK(table.Color.size() == 3 * table.Extinction.size());
-    CheckWithinTolerance(owned, table);
+    CheckWithinTolerance(gentle, table);
+    CheckWithinTolerance(steep, steep.MakeTable());
   }
 }
 
