@@ -38,10 +38,10 @@ LightingRequirements MakeEverything()
 TEST_CASE("A bare volume leaves out all but its opacity")
 {
   CHECK(LightingRequirements().GetLeftOut() ==
-    Names{ "gradient opacity", "gradient opacity lookup", "clipping planes", "cropping", "mask",
-      "shading", "gradient", "reflection model", "diffuse term", "specular term",
-      "two-sided lighting", "directional lights", "point lights", "spot lights", "attenuation",
-      "soft shadows", "hard shadows", "shadow technique" });
+    Names{ "gradient opacity", "clipping planes", "cropping", "mask", "shading", "gradient",
+      "reflection model", "diffuse term", "specular term", "two-sided lighting",
+      "directional lights", "point lights", "spot lights", "attenuation", "soft shadows",
+      "hard shadows", "shadow technique" });
 }
 
 TEST_CASE("A scene that needs everything leaves out nothing")

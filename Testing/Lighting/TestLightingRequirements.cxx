@@ -29,7 +29,6 @@ const std::vector<Change> changes = {
   [](LightingRequirements& r) { r.Cropping = CroppingKind::Box; },
   [](LightingRequirements& r) { r.Mask = true; },
   [](LightingRequirements& r) { r.Opacity = TransferFunctionLookup::Points; },
-  [](LightingRequirements& r) { r.GradientOpacityLookup = TransferFunctionLookup::Points; },
 };
 
 vtkSmartPointer<vtkPiecewiseFunction> MakeGradientOpacity()
@@ -46,12 +45,13 @@ TEST_CASE("Requirements are equal when every field is, and differ when any does"
   // A new field does not compile here, so that it cannot be forgotten above.
   const LightingRequirements base;
   const auto& [shade, lights, technique, reflection, gradient, diffuse, specular, sides,
-    attenuation, gradientOpacity, planes, cropping, mask, opacity, gradientLookup] = base;
+    attenuation, gradientOpacity, planes, cropping, mask, opacity] = base;
   CHECK_FALSE((shade || diffuse || specular || sides || attenuation || gradientOpacity || mask));
-  CHECK((planes == 0 && cropping == CroppingKind::None && opacity == gradientLookup));
+  CHECK(
+    (planes == 0 && cropping == CroppingKind::None && opacity == TransferFunctionLookup::Table));
   CHECK((lights == decltype(base.Lights){} && static_cast<int>(technique) == 0 &&
     static_cast<int>(reflection) == 0 && static_cast<int>(gradient) == 0));
-  CHECK(changes.size() == 15);
+  CHECK(changes.size() == 14);
 
   for (const Change& change : changes)
   {
@@ -84,15 +84,11 @@ TEST_CASE("Each field of the scene changes exactly its own requirement")
   CHECK(with.Requirements() == expected);
   with.scene.Opacity = expected.Opacity = TransferFunctionLookup::Points;
   CHECK(with.Requirements() == expected);
-  with.scene.GradientOpacityLookup = TransferFunctionLookup::Points;
-  CHECK(with.Requirements() == expected);
   with.property->SetGradientOpacity(MakeGradientOpacity());
   expected.GradientOpacity = true;
-  expected.GradientOpacityLookup = TransferFunctionLookup::Points;
   CHECK(with.Requirements() == expected);
   with.property->DisableGradientOpacityOn();
   expected.GradientOpacity = false;
-  expected.GradientOpacityLookup = TransferFunctionLookup::Table;
   CHECK(with.Requirements() == expected);
   with.property->SetSpecular(0.0);
   expected.Specular = false;
