@@ -53,7 +53,7 @@ auto AsTuple(const LightingRequirements& r)
 {
   return std::tie(r.Shade, r.Lights, r.Technique, r.Reflection, r.Gradient, r.Diffuse, r.Specular,
     r.TwoSidedLighting, r.Attenuation, r.GradientOpacity, r.ClippingPlanes, r.Cropping, r.Mask,
-    r.Opacity, r.GradientOpacityLookup);
+    r.Opacity);
 }
 
 RequirementEntry Flag(const std::string& name, bool needed)
@@ -131,8 +131,6 @@ std::vector<RequirementEntry> LightingRequirements::GetEntries() const
   return {
     Choice("opacity", GetLookupName(this->Opacity), true),
     Flag("gradient opacity", this->GradientOpacity),
-    Choice("gradient opacity lookup", GetLookupName(this->GradientOpacityLookup),
-      this->GradientOpacity),
     Count("clipping planes", this->ClippingPlanes),
     Choice("cropping", this->Cropping == CroppingKind::Regions ? "regions" : "box",
       this->Cropping != CroppingKind::None),
@@ -201,10 +199,6 @@ LightingRequirements ComputeLightingRequirements(const LightedScene& scene)
   needs.Cropping = scene.Cropping;
   needs.Mask = scene.Mask;
   needs.Opacity = scene.Opacity;
-  if (needs.GradientOpacity)
-  {
-    needs.GradientOpacityLookup = scene.GradientOpacityLookup;
-  }
   needs.Shade = scene.Property->GetShade(0) != 0;
   if (!needs.Shade)
   {

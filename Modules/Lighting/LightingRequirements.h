@@ -101,7 +101,6 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   CroppingKind Cropping = CroppingKind::None;
   bool Mask = false;
   TransferFunctionLookup Opacity = TransferFunctionLookup::Table;
-  TransferFunctionLookup GradientOpacityLookup = TransferFunctionLookup::Table;
 
   bool operator==(const LightingRequirements& other) const;
   bool operator!=(const LightingRequirements& other) const { return !(*this == other); }
@@ -131,7 +130,6 @@ struct LightedScene
   CroppingKind Cropping = CroppingKind::None;
   bool Mask = false;
   TransferFunctionLookup Opacity = TransferFunctionLookup::Table;
-  TransferFunctionLookup GradientOpacityLookup = TransferFunctionLookup::Table;
 };
 
 /// The one function that turns a scene into its requirements. It depends on its argument alone.
