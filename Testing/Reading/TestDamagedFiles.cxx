@@ -7,6 +7,8 @@
 #include <iterator>
 #include <random>
 
+using Catch::Matchers::ContainsSubstring;
+
 namespace
 {
 
@@ -89,8 +91,7 @@ TEST_CASE("Damaged gzip data is noticed by its checksum")
   auto file = Compressed(NiftiSample().File(SampleBytes<short>()), true);
   REQUIRE(IsSample(Read(folder.Write("a.nii.gz", file))));
   file[file.size() - 6] ^= 1;
-  CHECK_THAT(
-    FailureOf(folder.Write("a.nii.gz", file)), Catch::Matchers::ContainsSubstring("damaged"));
+  CHECK_THAT(FailureOf(folder.Write("a.nii.gz", file)), ContainsSubstring("damaged"));
 }
 
 TEST_CASE("Whatever bytes change, a file is read or refused in one line")
@@ -113,12 +114,25 @@ TEST_CASE("Whatever bytes change, a file is read or refused in one line")
   }
 }
 
-TEST_CASE("A small compressed file that claims a huge volume is refused at once")
+TEST_CASE("A small file that claims a huge volume is refused by its size")
 {
   const TemporaryFolder folder;
+  const auto failure = [&](const std::string& name, const std::string& bytes)
+  { return FailureOf(folder.Write(name, bytes)); };
+  const std::string sizes = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 100000 100000 100000\n";
   const auto data = Compressed(std::string(1000000, '\0'), true);
-  const std::string sizes = "sizes: 100000 100000 100000\n";
-  const std::string header = "NRRD0004\ntype: uchar\ndimension: 3\n" + sizes + "encoding: gzip\n\n";
-  CHECK_THAT(FailureOf(folder.Write("a.nrrd", header + data)),
-    Catch::Matchers::ContainsSubstring("1000000000000000"));
+  CHECK_THAT(failure("a.nrrd", sizes + "encoding: gzip\n\n" + data),
+    ContainsSubstring("need more, even compressed"));
+  CHECK_THAT(
+    failure("b.nrrd", sizes + "encoding: text\n\n1 2 3"), ContainsSubstring("as text need more"));
+
+  const std::string extent = "Extent=\"0 99999 0 99999 0 99999\"";
+  const std::string start = "<VTKFile type=\"ImageData\" compressor=\"vtkZLibDataCompressor\">"
+                            "<ImageData Whole" +
+    extent + "><Piece " + extent + "><PointData Scalars=\"a\"><DataArray Name=\"a\" type=\"Int8\" ";
+  const std::string end = "</DataArray></PointData></Piece></ImageData></VTKFile>";
+  for (const char* array : { "format=\"ascii\">1 2 3", "format=\"binary\">AAAA" })
+  {
+    CHECK_THAT(failure("a.vti", start + array + end), ContainsSubstring("too few"));
+  }
 }
