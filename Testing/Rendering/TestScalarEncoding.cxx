@@ -1,10 +1,6 @@
 #include "Catch.h"
+#include "MakeArray.h"
 #include "ScalarTexture.h"
-
-#include <vtkDataArray.h>
-#include <vtkFloatArray.h>
-#include <vtkNew.h>
-#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,16 +32,6 @@ std::vector<double> GetDecoded(vtkDataArray* scalars)
     decoded.push_back(encoding.Scale * value + encoding.Offset);
   }
   return decoded;
-}
-
-vtkSmartPointer<vtkDataArray> MakeArray(int type, const std::vector<double>& values)
-{
-  const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  for (const double value : values)
-  {
-    array->InsertNextTuple1(value);
-  }
-  return array;
 }
 }
 
@@ -116,34 +102,6 @@ TEST_CASE("An offset is used only where it gains digits")
   CHECK(ChooseEncoding(VTK_DOUBLE, { -4.0, -2.0, true }).Offset == -3.0);
   const ScalarEncoding widest = ChooseEncoding(VTK_DOUBLE, { -1.7e308, 1.7e308, true });
   CHECK(widest.Offset == 0.0);
-}
-
-TEST_CASE("The range is that of the finite values")
-{
-  const double nan = std::nan("");
-  const ScalarRange range =
-    ComputeScalarRange(MakeArray(VTK_DOUBLE, { nan, 3.0, -Infinity, -2.0, Infinity, 7.0, nan }));
-  CHECK(range.Low == -2.0);
-  CHECK(range.High == 7.0);
-  CHECK_FALSE(range.AllFinite);
-  CHECK(ComputeScalarRange(MakeArray(VTK_FLOAT, { 5.0, 4.0 })).AllFinite);
-  const ScalarRange nothing = ComputeScalarRange(MakeArray(VTK_FLOAT, { nan, Infinity }));
-  CHECK((nothing.Low == 0.0 && nothing.High == 0.0 && !nothing.AllFinite));
-}
-
-TEST_CASE("The range of a large array is found wherever its extremes are")
-{
-  vtkNew<vtkFloatArray> scalars;
-  scalars->SetNumberOfTuples(1000000);
-  scalars->Fill(1.0);
-  for (const vtkIdType place : { 0, 499999, 999999 })
-  {
-    scalars->SetValue(place, 8.0f);
-    scalars->SetValue(999999 - place, -8.0f);
-    const ScalarRange range = ComputeScalarRange(scalars);
-    CHECK((range.Low == -8.0 && range.High == 8.0));
-    scalars->Fill(1.0);
-  }
 }
 
 TEST_CASE("NaN and -Inf count as the smallest finite value, +Inf as the largest")

@@ -1,0 +1,134 @@
+#include "SceneOptions.h"
+
+#include "MakeLight.h"
+#include "SyntheticVolumes.h"
+
+#include <vtkPlane.h>
+#include <vtkVolumeProperty.h>
+
+namespace penumbra
+{
+namespace
+{
+const VolumeGrid grid = { { 12, 12, 12 } };
+
+void SetLights(IlluminatedScene& scene, const SceneOptions& options)
+{
+  scene.Renderer->RemoveAllLights();
+  for (int kind = 0; kind < NumberOfLightKinds; ++kind)
+  {
+    for (int shadow = 0; shadow < NumberOfShadowKinds; ++shadow)
+    {
+      for (int count = 0; count < options.lights[kind][shadow]; ++count)
+      {
+        const auto light = MakeLight(static_cast<LightKind>(kind), static_cast<ShadowKind>(shadow));
+        light->SetIntensity(0.2);
+        if (options.attenuation)
+        {
+          light->SetAttenuationValues(1.0, 0.01, 0.0001);
+        }
+        scene.Renderer->AddLight(light);
+      }
+    }
+  }
+}
+
+void SetTransferFunctions(IlluminatedScene& scene, const SceneOptions& options)
+{
+  scene.Opacity->RemoveAllPoints();
+  scene.Opacity->AllowDuplicateScalarsOn();
+  scene.Opacity->AddPoint(50.0, 0.0);
+  scene.Opacity->AddPoint(150.0, 0.3);
+  if (options.opacity == TransferFunctionLookup::Points)
+  {
+    scene.Opacity->AddPoint(150.0, 0.5);
+  }
+  scene.Opacity->AddPoint(255.0, 0.5);
+  vtkNew<vtkPiecewiseFunction> gradientOpacity;
+  gradientOpacity->AddPoint(0.0, 0.3);
+  gradientOpacity->AddPoint(60.0, 1.0);
+  vtkVolumeProperty* property = scene.Volume->GetProperty();
+  property->SetGradientOpacity(gradientOpacity);
+  property->SetDisableGradientOpacity(!options.gradientOpacity);
+}
+
+// Each cuts off a corner or an edge of the volume, none its middle.
+void SetClippingPlanes(IlluminatedScene& scene, int count)
+{
+  scene.Mapper->RemoveAllClippingPlanes();
+  for (int i = 0; i < count; ++i)
+  {
+    const double sign = i < 3 ? 1.0 : -1.0;
+    double normal[3] = { 0.3, 0.3, 0.3 };
+    normal[i % 3] = 1.0;
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(sign * normal[0], sign * normal[1], sign * normal[2]);
+    plane->SetOrigin(
+      5.5 - 3.0 * sign * normal[0], 5.5 - 3.0 * sign * normal[1], 5.5 - 3.0 * sign * normal[2]);
+    scene.Mapper->AddClippingPlane(plane);
+  }
+}
+
+void SetCropping(IlluminatedScene& scene, CroppingKind cropping)
+{
+  scene.Mapper->SetCropping(cropping != CroppingKind::None);
+  scene.Mapper->SetCroppingRegionPlanes(2.3, 9.7, 1.6, 8.2, 2.0, 11.0);
+  scene.Mapper->SetCroppingRegionFlags(
+    cropping == CroppingKind::Box ? VTK_CROP_SUBVOLUME : VTK_CROP_FENCE);
+}
+
+vtkSmartPointer<vtkImageData> MakeMask()
+{
+  return MakeSlab(grid, 2, 1.0, 8.0);
+}
+}
+
+//------------------------------------------------------------------------------
+LightingRequirements SceneOptions::Expected() const
+{
+  LightingRequirements needs;
+  needs.GradientOpacity = this->gradientOpacity;
+  needs.ClippingPlanes = this->clippingPlanes;
+  needs.Cropping = this->cropping;
+  needs.Mask = this->mask;
+  needs.Opacity = this->opacity;
+  needs.Shade = this->shade;
+  if (this->shade && (this->diffuse || this->specular))
+  {
+    needs.Lights = this->lights;
+    const bool lit = needs.GetNumberOfLights() > 0;
+    needs.Diffuse = lit && this->diffuse;
+    needs.Specular = lit && this->specular;
+    needs.TwoSidedLighting = lit && this->twoSided;
+    needs.Attenuation = this->attenuation &&
+      needs.GetNumberOfLights(LightKind::Point) + needs.GetNumberOfLights(LightKind::Spot) > 0;
+  }
+  return needs;
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<IlluminatedScene> MakeScene()
+{
+  return std::make_unique<IlluminatedScene>(MakeBall(grid, 5.0, 4.0), 32, 32);
+}
+
+//------------------------------------------------------------------------------
+void SetOptions(IlluminatedScene& scene, const SceneOptions& options)
+{
+  vtkVolumeProperty* property = scene.Volume->GetProperty();
+  property->SetShade(options.shade);
+  property->SetDiffuse(options.diffuse ? 0.7 : 0.0);
+  property->SetSpecular(options.specular ? 0.3 : 0.0);
+  scene.Renderer->SetTwoSidedLighting(options.twoSided);
+  SetLights(scene, options);
+  SetTransferFunctions(scene, options);
+  SetClippingPlanes(scene, options.clippingPlanes);
+  SetCropping(scene, options.cropping);
+  scene.Mapper->SetMaskInput(options.mask ? MakeMask() : nullptr);
+  scene.Mapper->SetMaskTypeToBinary();
+  // Coarse, for these pictures show that something is drawn, not what.
+  scene.Mapper->SetSampleDistance(1.5f);
+  scene.Mapper->SetImageSampleDistance(options.gathering ? 1.5f : 1.0f);
+}
+
+}

@@ -1,0 +1,43 @@
+/**
+ * @file SceneOptions.h
+ * @brief Everything that a scene may need or not, as one value to build it from.
+ */
+#ifndef SceneOptions_h
+#define SceneOptions_h
+
+#include "IlluminatedScene.h"
+#include "LightingRequirements.h"
+
+#include <memory>
+
+namespace penumbra
+{
+struct SceneOptions
+{
+  bool shade = true;
+  /// As many lights of each kind and shadow state.
+  std::array<std::array<int, NumberOfShadowKinds>, NumberOfLightKinds> lights{};
+  bool diffuse = true;
+  bool specular = true;
+  bool twoSided = true;
+  bool attenuation = true;
+  bool gradientOpacity = true;
+  int clippingPlanes = 6;
+  CroppingKind cropping = CroppingKind::Regions;
+  bool mask = true;
+  TransferFunctionLookup opacity = TransferFunctionLookup::Points;
+  /// Draws to a buffer of its own first.
+  bool gathering = true;
+
+  /// What the scene must report that it needs.
+  LightingRequirements Expected() const;
+};
+
+/// A ball of 12^3 voxels on 32 x 32 pixels.
+std::unique_ptr<IlluminatedScene> MakeScene();
+
+/// Makes a scene of MakeScene() the one of these options, whatever it was before.
+void SetOptions(IlluminatedScene& scene, const SceneOptions& options);
+}
+
+#endif

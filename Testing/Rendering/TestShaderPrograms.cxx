@@ -1,0 +1,136 @@
+#include "Catch.h"
+#include "CoveringSet.h"
+#include "SceneOptions.h"
+#include "ShaderText.h"
+#include "VTKMessages.h"
+
+#include <cstdlib>
+
+using namespace penumbra;
+
+namespace
+{
+constexpr int LightOptions = NumberOfLightKinds * NumberOfShadowKinds;
+
+// None, one or two lights of each of the nine kinds and shadow states, then what the functions
+// below read in this order.
+std::vector<int> GetLitLevels()
+{
+  std::vector<int> levels(LightOptions, 3);
+  levels.insert(levels.end(), { 3, 2, 2, 2, 3, 3, 2, 2, 2 });
+  return levels;
+}
+
+void SetMatter(SceneOptions& options, const int* values)
+{
+  const int planes[3] = { 0, 1, 6 };
+  options.gradientOpacity = values[0] != 0;
+  options.clippingPlanes = planes[values[1]];
+  options.cropping = static_cast<CroppingKind>(values[2]);
+  options.mask = values[3] != 0;
+  options.opacity = static_cast<TransferFunctionLookup>(values[4]);
+  options.gathering = values[5] != 0;
+}
+
+SceneOptions MakeLitOptions(const Combination& combination)
+{
+  SceneOptions options;
+  for (int light = 0; light < LightOptions; ++light)
+  {
+    options.lights[light / NumberOfShadowKinds][light % NumberOfShadowKinds] = combination[light];
+  }
+  const int* values = combination.data() + LightOptions;
+  options.diffuse = values[0] != 1;
+  options.specular = values[0] != 0;
+  options.twoSided = values[1] != 0;
+  options.attenuation = values[2] != 0;
+  SetMatter(options, values + 3);
+  return options;
+}
+
+// Options that would not be seen in the requirements test nothing.
+bool ShowsAllOptions(const Combination& combination)
+{
+  const SceneOptions options = MakeLitOptions(combination);
+  const LightingRequirements needs = options.Expected();
+  return needs.GetNumberOfLights() > 0 && needs.Attenuation == options.attenuation;
+}
+
+// No shading, or ambient light alone.
+SceneOptions MakeUnlitOptions(const Combination& combination)
+{
+  SceneOptions options;
+  options.shade = combination[0] != 0;
+  options.lights[0][1] = options.shade ? 0 : 1;
+  SetMatter(options, combination.data() + 1);
+  return options;
+}
+
+// Pixels that differ from the background (26, 26, 51).
+int CountPixelsOfVolume(vtkImageData* picture)
+{
+  const auto* colors = static_cast<unsigned char*>(picture->GetScalarPointer());
+  int count = 0;
+  for (vtkIdType pixel = 0; pixel < picture->GetNumberOfPoints(); ++pixel)
+  {
+    const unsigned char* color = colors + 3 * pixel;
+    count += std::abs(color[0] - 26) + std::abs(color[1] - 26) + std::abs(color[2] - 51) > 6;
+  }
+  return count;
+}
+
+void CheckProgram(const SceneOptions& options)
+{
+  const LightingRequirements expected = options.Expected();
+  std::string description = options.gathering ? "gathering" : "";
+  for (const RequirementEntry& entry : expected.GetEntries())
+  {
+    description += "\n" + entry.Name + ": " + entry.Value;
+  }
+  INFO(description);
+  const VTKMessages messages;
+  const auto scene = MakeScene();
+  SetOptions(*scene, options);
+  const auto picture = scene->Render();
+  CHECK(messages.Text() == "");
+  CHECK(scene->Mapper->GetMessages().empty());
+  CHECK(scene->Mapper->GetRequirements() == expected);
+  CHECK(scene->Mapper->GetNumberOfShaderBuilds() == 1);
+  const std::string& source = scene->Mapper->GetFragmentShaderSource();
+  CHECK(FindWrongSymbols(expected, source) == "");
+  const bool gathers = source.find("uniform sampler2D scene_accumulated") != std::string::npos;
+  CHECK(gathers == options.gathering);
+  // The ball covers a third of the picture, at least half of it is left by what hides.
+  CHECK(CountPixelsOfVolume(picture) > 1024 / 10);
+  CHECK(CountPixelsOfVolume(picture) < 1024);
+}
+}
+
+TEST_CASE("Every pair of requirements is in a combination")
+{
+  const std::vector<Combination> combinations = MakeCoveringSet(GetLitLevels(), ShowsAllOptions);
+  CHECK(CountMissingPairs(GetLitLevels(), combinations) == 0);
+  for (const Combination& combination : combinations)
+  {
+    CHECK(ShowsAllOptions(combination));
+  }
+  // All combinations would be 34 million.
+  CHECK(combinations.size() < 40);
+}
+
+TEST_CASE("Programs of every pair of requirements compile and draw")
+{
+  for (const Combination& combination : MakeCoveringSet(GetLitLevels(), ShowsAllOptions))
+  {
+    CheckProgram(MakeLitOptions(combination));
+  }
+}
+
+TEST_CASE("Programs without lights compile and draw with every pair of what hides matter")
+{
+  const auto all = [](const Combination&) { return true; };
+  for (const Combination& combination : MakeCoveringSet({ 2, 2, 3, 3, 2, 2, 2 }, all))
+  {
+    CheckProgram(MakeUnlitOptions(combination));
+  }
+}
