@@ -61,7 +61,7 @@ const std::vector<Omission> Omissions = {
 SceneOptions MakeEverything()
 {
   SceneOptions everything;
-  everything.lights = { { { 1, 1, 0 }, { 0, 1, 1 }, { 1, 0, 1 } } };
+  everything.lights = { { { 1, 1, 0 }, { 1, 0, 1 }, { 1, 1, 1 } } };
   everything.opacity = TransferFunctionLookup::Table;
   return everything;
 }
