@@ -34,8 +34,8 @@ MarchingPlan PlanMarching(const MarchingTask& task)
 {
   MarchingPlan plan;
   const double shortest = task.Diagonal / LargestNumberOfSteps;
-  plan.SampleDistance = std::clamp(task.SampleDistance, shortest, task.Diagonal);
-  plan.ShadowSampleDistance = std::clamp(task.ShadowSampleDistance, shortest, task.Diagonal);
+  plan.SampleDistance = std::max(task.SampleDistance, shortest);
+  plan.ShadowSampleDistance = std::max(task.ShadowSampleDistance, shortest);
 
   const double steps = CountSteps(task.Diagonal, plan.SampleDistance);
   double perStep =

@@ -39,7 +39,7 @@ struct MarchingPlan
 
 /// The least number of draws of which none can exceed the bound. Steps are made longer than asked only
 /// where a ray would have more of them than single precision can tell apart, or where one view step
-/// alone would exceed the bound. A step longer than the longest way is that way.
+/// alone would exceed the bound.
 PENUMBRARENDERING_EXPORT MarchingPlan PlanMarching(const MarchingTask& task);
 
 }

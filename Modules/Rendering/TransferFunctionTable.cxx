@@ -54,7 +54,17 @@ std::vector<double> GetPointScalars(const TransferFunctions& functions)
 std::vector<double> SampleColor(const TransferFunctions& functions, double low, double high, int size)
 {
   std::vector<double> color(3 * static_cast<size_t>(size), 1.0);
-  if (functions.Color && functions.Color->GetSize() > 0)
+  if (functions.Color && functions.Color->GetSize() > 0 &&
+    functions.Color->GetScale() == VTK_CTF_LOG10)
+  {
+    // A logarithmic function spaces the entries of its own tables by logarithms.
+    for (int entry = 0; entry < size; ++entry)
+    {
+      const double fraction = static_cast<double>(entry) / (size - 1);
+      functions.Color->GetColor((1.0 - fraction) * low + fraction * high, &color[3 * entry]);
+    }
+  }
+  else if (functions.Color && functions.Color->GetSize() > 0)
   {
     functions.Color->GetTable(low, high, size, color.data());
   }
@@ -132,40 +142,6 @@ void KeepEvery(int stride, int components, const std::vector<double>& from, std:
       to.push_back(static_cast<float>(from[components * entry + component]));
     }
   }
-}
-
-bool FillTable(const TransferFunctions& functions, int size, TransferFunctionTable& table)
-{
-  const int checked = (size - 1) * ChecksPerCell + 1;
-  const std::vector<double> extinction =
-    SampleExtinction(functions, table.Low, table.High, checked);
-  const std::vector<double> color = SampleColor(functions, table.Low, table.High, checked);
-  KeepEvery(ChecksPerCell, 1, extinction, table.Extinction);
-  KeepEvery(ChecksPerCell, 3, color, table.Color);
-  return InterpolationHolds(extinction, color, functions.UnitDistance);
-}
-
-// Sizes to try, ascending. Entries of integer data fall on the integers, where points mostly are.
-std::vector<int> GetSizes(const TransferFunctionTable& table, bool integerData, int largestSize)
-{
-  std::vector<int> sizes;
-  const double cells = table.High - table.Low;
-  if (integerData && cells < largestSize)
-  {
-    for (double size = cells; size < largestSize; size *= 2.0)
-    {
-      if (size + 1 >= SmallestSize || 2.0 * size >= largestSize)
-      {
-        sizes.push_back(static_cast<int>(size) + 1);
-      }
-    }
-    return sizes;
-  }
-  for (int size = SmallestSize; size <= largestSize; size *= 2)
-  {
-    sizes.push_back(size);
-  }
-  return sizes;
 }
 
 // Whether the functions are straight lines between their points, clamped beyond them.
@@ -253,6 +229,88 @@ Point GetPoint(const TransferFunctions& functions, double scalar, bool fromBelow
   return point;
 }
 
+// What the table's linear interpolation gives at a scalar, as colour and extinction.
+std::array<double, 4> Interpolate(const TransferFunctionTable& table, double scalar)
+{
+  const double last = static_cast<double>(table.Extinction.size() - 1);
+  const double entry = std::clamp((scalar - table.Low) / (table.High - table.Low), 0.0, 1.0) * last;
+  const auto low = static_cast<size_t>(std::min(std::floor(entry), last - 1.0));
+  const double fraction = entry - static_cast<double>(low);
+  std::array<double, 4> result;
+  for (size_t channel = 0; channel < 3; ++channel)
+  {
+    result[channel] = (1.0 - fraction) * table.Color[3 * low + channel] +
+      fraction * table.Color[3 * (low + 1) + channel];
+  }
+  result[3] = (1.0 - fraction) * table.Extinction[low] + fraction * table.Extinction[low + 1];
+  return result;
+}
+
+bool Agrees(const Point& exact, const std::array<double, 4>& interpolated, double unitDistance)
+{
+  bool agrees = DepthsAgree(
+    ComputeExtinction(exact.ColorAndOpacity[3], 1.0), interpolated[3] * unitDistance);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    agrees = agrees &&
+      std::abs(exact.ColorAndOpacity[channel] - interpolated[channel]) <= ColorTolerance;
+  }
+  return agrees;
+}
+
+// Steps and spikes between two entries show at the functions' own points, on either side of them.
+bool PointsHold(const TransferFunctions& functions, const std::vector<double>& scalars,
+  const TransferFunctionTable& table)
+{
+  return std::all_of(scalars.begin(), scalars.end(), [&](double scalar) {
+    if (scalar < table.Low || scalar > table.High)
+    {
+      return true;
+    }
+    const auto interpolated = Interpolate(table, scalar);
+    return (scalar == table.Low ||
+             Agrees(GetPoint(functions, scalar, true), interpolated, functions.UnitDistance)) &&
+      (scalar == table.High ||
+        Agrees(GetPoint(functions, scalar, false), interpolated, functions.UnitDistance));
+  });
+}
+
+bool FillTable(const TransferFunctions& functions, const std::vector<double>& scalars, int size,
+  TransferFunctionTable& table)
+{
+  const int checked = (size - 1) * ChecksPerCell + 1;
+  const std::vector<double> extinction =
+    SampleExtinction(functions, table.Low, table.High, checked);
+  const std::vector<double> color = SampleColor(functions, table.Low, table.High, checked);
+  KeepEvery(ChecksPerCell, 1, extinction, table.Extinction);
+  KeepEvery(ChecksPerCell, 3, color, table.Color);
+  return InterpolationHolds(extinction, color, functions.UnitDistance) &&
+    (!ArePiecewiseLinear(functions) || PointsHold(functions, scalars, table));
+}
+
+// Sizes to try, ascending. Entries of integer data fall on the integers, where points mostly are.
+std::vector<int> GetSizes(const TransferFunctionTable& table, bool integerData, int largestSize)
+{
+  std::vector<int> sizes;
+  const double cells = table.High - table.Low;
+  if (integerData && cells < largestSize)
+  {
+    for (double size = cells; size < largestSize; size *= 2.0)
+    {
+      if (size + 1 >= SmallestSize || 2.0 * size >= largestSize)
+      {
+        sizes.push_back(static_cast<int>(size) + 1);
+      }
+    }
+    return sizes;
+  }
+  for (int size = SmallestSize; size <= largestSize; size *= 2)
+  {
+    sizes.push_back(size);
+  }
+  return sizes;
+}
+
 void FillPoints(
   const TransferFunctions& functions, std::vector<double> scalars, TransferFunctionTable& table)
 {
@@ -312,7 +370,7 @@ TransferFunctionTable MakeTransferFunctionTable(const TransferFunctions& functio
   }
   for (int size : GetSizes(table, functions.IntegerData, largestSize))
   {
-    if (FillTable(functions, size, table))
+    if (FillTable(functions, scalars, size, table))
     {
       return table;
     }

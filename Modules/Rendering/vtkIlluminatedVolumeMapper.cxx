@@ -39,6 +39,13 @@ Matrix4 GetWorldToClip(vtkRenderer* renderer, vtkOpenGLCamera* camera)
   vtkMatrix4x4::Transpose(worldToClip->GetData(), matrix.data());
   return matrix;
 }
+
+//------------------------------------------------------------------------------
+bool IsStepLength(double length)
+{
+  constexpr double longest = 1e30;
+  return length > 0.0 && length < longest;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -172,9 +179,13 @@ void vtkIlluminatedVolumeMapper::DrawStock(vtkRenderer* renderer, vtkVolume* vol
 double vtkIlluminatedVolumeMapper::GetSampleDistanceOrDefault()
 {
   auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
-  if (this->SampleDistance > 0.0f || !image)
+  if (IsStepLength(this->SampleDistance))
   {
-    return this->SampleDistance > 0.0f ? this->SampleDistance : 1.0;
+    return this->SampleDistance;
+  }
+  if (!image)
+  {
+    return 1.0;
   }
   const double* spacing = image->GetSpacing();
   return 0.5 *
@@ -333,7 +344,7 @@ void vtkIlluminatedVolumeMapper::PlanDraws()
   task.Diagonal = scene.Geometry.GetDiagonal();
   task.SampleDistance = this->GetSampleDistanceOrDefault();
   task.ShadowSampleDistance =
-    this->ShadowSampleDistance > 0.0 ? this->ShadowSampleDistance : 2.0 * task.SampleDistance;
+    IsStepLength(this->ShadowSampleDistance) ? this->ShadowSampleDistance : 2.0 * task.SampleDistance;
   task.Lights = scene.Requirements.GetNumberOfLights();
   task.ShadowedLights = scene.Requirements.GetNumberOfShadowedLights();
   task.LookupIterations = this->Internal->Drawing.GetTextures().GetLookupIterations();

@@ -13,7 +13,7 @@ float opacityOfDepth(float tau)
 // Extinction per unit distance of matter of this opacity per unit distance, at most that of 1 - 2^-24.
 float extinctionOfOpacity(float opacity)
 {
-  float bounded = min(opacity, 0.99999994f);
+  float bounded = max(min(opacity, 0.99999994f), 0.0f);
   if (bounded < 0.0009765625f)
   {
     return bounded * (1.0f + bounded * (0.5f + bounded * 0.33333333f));
