@@ -198,13 +198,15 @@ TEST_CASE("Bad input and usage end with status 2, one line, and nothing written"
 
 TEST_CASE("A volume that is read is not written over")
 {
-  const BrightCorner folder;
-  REQUIRE(RunPenumbraRender({ folder.Scene, "--output", folder.PathOf("v.mha") }).exitStatus == 0);
-  const std::string before = ReadAll(folder.PathOf("v.mha"));
-  const auto result =
-    RunPenumbraRender({ folder.PathOf("v.mha"), "--output", folder.PathOf("v.mha") });
-  CHECK(result.exitStatus == 2);
-  CHECK(ReadAll(folder.PathOf("v.mha")) == before);
+  const TemporaryFolder folder;
+  const std::string volume = "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\n"
+                             "ElementType = MET_UCHAR\nElementDataFile = LOCAL\nabcdefgh";
+  const std::string file = folder.Write("v.mha", volume);
+  const auto allowed = RunPenumbraRender({ file, "--output", folder.PathOf("other.mha") });
+  INFO(allowed.error);
+  CHECK(allowed.exitStatus == 0);
+  CHECK(RunPenumbraRender({ file, "--output", file }).exitStatus == 2);
+  CHECK(ReadAll(file) == volume);
 }
 
 TEST_CASE("Help and version go to stdout with status 0")

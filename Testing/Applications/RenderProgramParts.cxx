@@ -1,0 +1,144 @@
+#include "Catch.h"
+#include "RunProgram.h"
+#include "SyntheticVolumes.h"
+
+#include "InputError.h"
+#include "OutputFile.h"
+#include "SceneChange.h"
+#include "SceneDefaults.h"
+#include "SceneFile.h"
+#include "SceneParser.h"
+#include "SceneRendering.h"
+#include "vtkMessageCollector.h"
+
+#include <nlohmann/json.hpp>
+
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkRenderer.h>
+#include <vtkVolume.h>
+#include <vtkVolumeLight.h>
+#include <vtkVolumeProperty.h>
+
+using namespace penumbra;
+
+namespace
+{
+// Looks along -z from (0,0,10) at the origin, with y up.
+struct ChangingScene
+{
+  explicit ChangingScene(const std::string& lights)
+    : Volume(MakeRamp({}, 0))
+    , Rendering(Resolve(lights), { this->Volume, nullptr })
+  {
+  }
+
+  SceneDescription Resolve(const std::string& lights) const
+  {
+    SceneDescription scene = ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd" },
+      "transferFunction": { "opacity": [[0,0],[100,1]] },
+      "camera": { "position": [0,0,10], "focalPoint": [0,0,0], "viewUp": [0,1,0] },
+      "lights": [)" + lights + "] }"), "");
+    ResolveScene(scene, this->Volume);
+    return scene;
+  }
+
+  vtkVolumeLight* Light() const { return this->Rendering.GetLights().front(); }
+
+  Vector3 LightDirection() const
+  {
+    Vector3 position;
+    Vector3 target;
+    this->Light()->GetPosition(position.data());
+    this->Light()->GetFocalPoint(target.data());
+    return Difference(target, position);
+  }
+
+  vtkSmartPointer<vtkImageData> Volume;
+  SceneRendering Rendering;
+};
+
+const double sine = std::sin(std::acos(-1.0) / 180.0);
+const double cosine = std::cos(std::acos(-1.0) / 180.0);
+}
+
+TEST_CASE("Changing a light turns it by one degree about the view-up axis")
+{
+  ChangingScene directional(R"({ "direction": [1,5,0] })");
+  const Vector3 before = directional.LightDirection();
+  ChangeScene(directional.Rendering, SceneChange::Light);
+  const Vector3 after = directional.LightDirection();
+  CHECK(after[1] == Approx(before[1]));
+  CHECK(after[0] == Approx(before[0] * cosine));
+  CHECK(after[2] == Approx(-before[0] * sine));
+
+  ChangingScene point(R"({ "type": "point", "position": [10,3,0] })");
+  ChangeScene(point.Rendering, SceneChange::Light);
+  const double* position = point.Light()->GetPosition();
+  CHECK(position[0] == Approx(10.0 * cosine));
+  CHECK(position[1] == Approx(3.0));
+  CHECK(position[2] == Approx(-10.0 * sine));
+}
+
+TEST_CASE("The other changes change what they say by a little")
+{
+  ChangingScene scene(R"({ "diffuse": [1,0.5,0] })");
+  ChangeScene(scene.Rendering, SceneChange::LightColour);
+  CHECK(scene.Light()->GetDiffuseColor()[1] == Approx(0.495));
+
+  vtkPiecewiseFunction* opacity = scene.Rendering.GetVolume()->GetProperty()->GetScalarOpacity();
+  ChangeScene(scene.Rendering, SceneChange::Opacity);
+  CHECK(opacity->GetValue(50.255) == Approx(0.5));
+  CHECK(opacity->GetSize() == 2);
+
+  ChangeScene(scene.Rendering, SceneChange::Camera);
+  const double* eye = scene.Rendering.GetRenderer()->GetActiveCamera()->GetPosition();
+  CHECK(eye[0] == Approx(10.0 * sine));
+  CHECK(eye[2] == Approx(10.0 * cosine));
+}
+
+TEST_CASE("A change of a light needs a light")
+{
+  CHECK_THROWS_AS(CheckChange(SceneChange::Light, 0), InputError);
+  CHECK_THROWS_AS(CheckChange(SceneChange::LightColour, 0), InputError);
+  CHECK_NOTHROW(CheckChange(SceneChange::Camera, 0));
+  CHECK_NOTHROW(CheckChange(SceneChange::Light, 1));
+}
+
+TEST_CASE("A file appears when it is complete, and only then")
+{
+  const TemporaryFolder folder;
+  folder.Write("kept", "old");
+  {
+    OutputFile file("--output", folder.PathOf("kept"));
+    CHECK(folder.Names() == std::vector<std::string>{ "kept" });
+    file.Write("new");
+    CHECK(ReadAll(folder.PathOf("kept")) == "old");
+  }
+  CHECK(folder.Names() == std::vector<std::string>{ "kept" });
+  CHECK(ReadAll(folder.PathOf("kept")) == "old");
+
+  OutputFile file("--output", folder.PathOf("kept"));
+  file.Write("new");
+  file.Commit();
+  CHECK(folder.Names() == std::vector<std::string>{ "kept" });
+  CHECK(ReadAll(folder.PathOf("kept")) == "new");
+}
+
+TEST_CASE("VTK's messages are kept once, in one line, without their origin")
+{
+  vtkNew<vtkMessageCollector> messages;
+  messages->Install();
+  vtkNew<vtkImageData> object;
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkErrorWithObjectMacro(object, "It broke:\n  badly.");
+    vtkWarningWithObjectMacro(object, "Mind this.");
+    vtkGenericWarningMacro("And that.");
+  }
+  CHECK(messages->GetErrors() == std::vector<std::string>{ "It broke: badly." });
+  CHECK(messages->GetWarnings() == std::vector<std::string>{ "Mind this.", "And that." });
+  vtkOutputWindow::SetInstance(nullptr);
+}
