@@ -22,11 +22,11 @@ int main(int argc, char* argv[])
   volume->SetMapper(mapper);
 
   vtkNew<vtkPiecewiseFunction> opacity;
-  opacity->AddPoint(90, 0.0);
-  opacity->AddPoint(180, 0.6);
+  opacity->AddPoint(200, 0.0);
+  opacity->AddPoint(500, 0.6);
   vtkNew<vtkColorTransferFunction> color;
-  color->AddRGBPoint(90, 0.8, 0.4, 0.3);
-  color->AddRGBPoint(180, 1.0, 0.95, 0.85);
+  color->AddRGBPoint(200, 0.8, 0.4, 0.3);
+  color->AddRGBPoint(500, 1.0, 0.95, 0.85);
   volume->GetProperty()->SetScalarOpacity(opacity);
   volume->GetProperty()->SetColor(color);
   volume->GetProperty()->SetInterpolationTypeToLinear();
