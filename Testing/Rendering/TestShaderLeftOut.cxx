@@ -56,8 +56,7 @@ const std::vector<Omission> Omissions = {
     [](SceneOptions& options) { options.shade = options.gradientOpacity = false; } },
 };
 
-// All that can be left out. Every kind and every shadow state is there twice, so that none goes
-// with another.
+// All that can be left out. Each kind has a light without a shadow, each shadow is in two kinds.
 SceneOptions MakeEverything()
 {
   SceneOptions everything;
