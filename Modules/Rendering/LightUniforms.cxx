@@ -1,10 +1,13 @@
 #include "LightUniforms.h"
 
+#include "OpenGLEnumerants.h"
 #include "TransferFunctionTable.h"
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolumeLight.h"
 #include "vtkVolumeProperty.h"
@@ -103,8 +106,7 @@ LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* p
   const VolumeGeometry& geometry, const Vector3& cameraDirection)
 {
   LightUniforms uniforms;
-  const std::array<double, 3> ambient = ComputeAmbientLight(lights);
-  uniforms.Ambient = Scaled(ambient.data(), property->GetAmbient(0));
+  uniforms.SetAmbient(ComputeAmbientLight(lights), property->GetAmbient(0));
   uniforms.SpecularPower = static_cast<float>(property->GetSpecularPower(0));
   for (vtkLight* light : SortLights(lights, property))
   {
@@ -129,6 +131,23 @@ LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* p
     uniforms.Shadow.push_back(GetShadow(light, geometry));
   }
   return uniforms;
+}
+
+//------------------------------------------------------------------------------
+void LightUniforms::SetAmbient(const std::array<double, 3>& ambient, double factor)
+{
+  this->Ambient = Scaled(ambient.data(), factor);
+}
+
+//------------------------------------------------------------------------------
+int LightUniforms::GetLargestNumber(vtkOpenGLRenderWindow* window)
+{
+  // Arrays of vectors take four components an element; the scene's other uniforms take fewer than 128.
+  constexpr int componentsPerLight = 7 * 4;
+  constexpr int otherComponents = 128;
+  int components = 0;
+  window->GetState()->vtkglGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &components);
+  return std::max(components - otherComponents, 0) / componentsPerLight;
 }
 
 //------------------------------------------------------------------------------

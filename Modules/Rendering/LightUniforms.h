@@ -12,6 +12,7 @@
 #include <array>
 #include <vector>
 
+class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
 namespace penumbra
@@ -33,10 +34,16 @@ struct LightUniforms
   Vector3f Ambient{};
   float SpecularPower = 1.0f;
 
+  /// ambient: sum of the lights' ambient colours; factor: the material's.
+  void SetAmbient(const std::array<double, 3>& ambient, double factor);
   void Set(vtkShaderProgram* program) const;
+
+  /// How many lights fit into the uniforms of a fragment shader; OpenGL 3.2 guarantees 32.
+  static int GetLargestNumber(vtkOpenGLRenderWindow* window);
 };
 
-/// cameraDirection: unit direction of projection, along which headlights shine.
+/// The lights of a collection that are on and matter, and their ambient light. cameraDirection: unit
+/// direction of projection, along which headlights shine.
 LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* property,
   const VolumeGeometry& geometry, const Vector3& cameraDirection);
 

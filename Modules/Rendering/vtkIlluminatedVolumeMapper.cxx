@@ -9,6 +9,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -313,12 +314,46 @@ vtkImageData* vtkIlluminatedVolumeMapper::GetUsableMask(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+// The lights that are drawn: those that matter, as many as the uniforms of a program can hold.
+void vtkIlluminatedVolumeMapper::CollectLights(
+  vtkRenderer* renderer, vtkVolumeProperty* property, vtkLightCollection* lights)
+{
+  const int largestNumber = LightUniforms::GetLargestNumber(this->Internal->Window);
+  int left = 0;
+  vtkCollectionSimpleIterator cursor;
+  renderer->GetLights()->InitTraversal(cursor);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(cursor))
+  {
+    if (!light->GetSwitch() ||
+      !LightsMatter(light, property->GetDiffuse(0), property->GetSpecular(0)))
+    {
+      continue;
+    }
+    if (lights->GetNumberOfItems() < largestNumber)
+    {
+      lights->AddItem(light);
+    }
+    else
+    {
+      ++left;
+    }
+  }
+  if (left > 0 && property->GetShade(0))
+  {
+    this->Say("The graphics card's shaders hold " + std::to_string(largestNumber) +
+      " lights; the last " + std::to_string(left) + " give ambient light only.");
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeProperty* property)
 {
   DrawnScene& scene = this->Internal->Scene;
   LightedScene lighted;
   lighted.Property = property;
-  lighted.Lights = renderer->GetLights();
+  vtkNew<vtkLightCollection> lights;
+  this->CollectLights(renderer, property, lights);
+  lighted.Lights = lights;
   lighted.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
   lighted.ClippingPlanes = static_cast<int>(scene.ClippingPlanes.size());
   if (this->Cropping)
@@ -333,7 +368,8 @@ void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeP
   Vector3 cameraDirection;
   renderer->GetActiveCamera()->GetDirectionOfProjection(cameraDirection.data());
   scene.Lights =
-    MakeLightUniforms(lighted.Lights, property, scene.Geometry, Normalized(cameraDirection));
+    MakeLightUniforms(lights, property, scene.Geometry, Normalized(cameraDirection));
+  scene.Lights.SetAmbient(ComputeAmbientLight(renderer->GetLights()), property->GetAmbient(0));
 }
 
 //------------------------------------------------------------------------------

@@ -46,6 +46,7 @@
 
 class vtkDataArray;
 class vtkImageData;
+class vtkLightCollection;
 class vtkOpenGLRenderWindow;
 class vtkVolumeProperty;
 
@@ -136,6 +137,8 @@ protected:
   bool PrepareVisibility(vtkImageData* image);
   bool PrepareTextures(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property,
     vtkImageData* image, vtkDataArray* scalars);
+  void CollectLights(
+    vtkRenderer* renderer, vtkVolumeProperty* property, vtkLightCollection* lights);
   void PrepareLights(vtkRenderer* renderer, vtkVolumeProperty* property);
   void PlanDraws();
   void Draw(vtkRenderer* renderer);

@@ -94,3 +94,22 @@ TEST_CASE("Invariance: lights add up", "[invariance]")
   CHECK(CompareImages(many->Render(), one->Render()).largest <= 1.0);
   CHECK(many->Mapper->GetRequirements().GetNumberOfLights() == 33);
 }
+
+TEST_CASE("Invariance: lights beyond what a shader holds are told, and the picture is not blank",
+  "[invariance]")
+{
+  auto scene = MakeScene({});
+  scene->Volume->GetProperty()->SetAmbient(0.0);
+  const auto before = scene->Render();
+  scene->Mapper->GlobalWarningDisplayOff();
+  for (int i = 0; i < 3000; ++i)
+  {
+    auto* light = scene->AddDirectionalLight(-0.6, -0.7, -0.4, vtkVolumeLight::None);
+    light->SetIntensity(1e-6);
+  }
+  const auto picture = scene->Render();
+  REQUIRE(scene->Mapper->GetMessages().size() == 1);
+  CHECK(scene->Mapper->GetMessages()[0].find("lights") != std::string::npos);
+  CHECK(scene->Mapper->GetRequirements().GetNumberOfLights() >= 32);
+  CHECK(CompareImages(picture, before).largest <= 2.0);
+}
