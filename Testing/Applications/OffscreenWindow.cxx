@@ -80,6 +80,7 @@ TEST_CASE("A plain window is of the chosen kind and has OpenGL")
   vtkNew<vtkRenderWindow> window;
   CHECK(window->GetClassName() == classes.at(kind));
   CHECK(window->SupportsOpenGL());
+  window->Render();
   CHECK_THAT(window->ReportCapabilities(), Catch::Matchers::ContainsSubstring("OpenGL"));
 }
 
@@ -134,7 +135,6 @@ TEST_CASE("A finalized window can be used again")
   scene.Window->SetSize(40, 20);
   scene.CheckPicture(40, 20);
   scene.Window->Finalize();
-  CHECK_FALSE(scene.Window->IsCurrent());
   scene.CheckPicture(40, 20);
 }
 

@@ -63,3 +63,13 @@ TEST_CASE("Reading the pixels of a window without a context reads nothing")
   window->SetGlobalWarningDisplay(true);
   CHECK_FALSE(window->IsCurrent());
 }
+
+TEST_CASE("A window has a context from its first picture until it is finalized")
+{
+  vtkNew<vtkOffscreenWindow> window;
+  CHECK_FALSE(window->IsCurrent());
+  window->Render();
+  CHECK(window->IsCurrent());
+  window->Finalize();
+  CHECK_FALSE(window->IsCurrent());
+}
