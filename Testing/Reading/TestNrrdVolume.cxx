@@ -86,6 +86,8 @@ TEST_CASE("NRRD headers that describe no scalar volume are refused by name")
   const std::string raw = "endian: little\nencoding: raw\n";
   const std::string sized = raw + "dimension: 3\nsizes: 3 4 5\n";
   CHECK_THAT(failure(sized), ContainsSubstring("lacks the field \"type\""));
+  CHECK_THAT(FailureOf(folder.Write("b.nrrd", "NRRD0005\n" + sized + "type: short\n")),
+    ContainsSubstring("header has no end"));
   CHECK_THAT(failure(sized + "type: block"), ContainsSubstring("\"type\" is \"block\""));
   CHECK_THAT(failure(raw + "type: short"), ContainsSubstring("dimension"));
   CHECK_THAT(failure(raw + "type: short\ndimension: 3\nsizes: 3 4"), ContainsSubstring("sizes"));
