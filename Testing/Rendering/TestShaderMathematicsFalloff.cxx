@@ -12,7 +12,7 @@ constexpr float Tiny = std::numeric_limits<float>::denorm_min();
 constexpr float Epsilon = std::numeric_limits<float>::epsilon();
 }
 
-TEST_CASE("Attenuation is above 0 at most 1 and finite for all values and distances")
+TEST_CASE("Attenuation is between 0 and 1 for all values and distances")
 {
   const float values[] = { -Largest, -1.0f, -Tiny, 0.0f, Tiny, 0.5f, 1.0f, 1e10f, Largest };
   for (const float c1 : values)
