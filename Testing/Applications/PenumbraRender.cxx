@@ -6,6 +6,9 @@
 
 #include <vtkImageData.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
 
 using namespace penumbra;
@@ -206,7 +209,7 @@ TEST_CASE("A volume that is read is not written over")
   INFO(allowed.error);
   CHECK(allowed.exitStatus == 0);
   CHECK(RunPenumbraRender({ file, "--output", file }).exitStatus == 2);
-  CHECK(ReadAll(file) == volume);
+  CHECK((ReadAll(file) == volume)); // not printed, as it is binary where this fails
 }
 
 TEST_CASE("Help and version go to stdout with status 0")
@@ -261,4 +264,35 @@ TEST_CASE("What the stock mapper leaves out is told once, on stderr and in the r
   CHECK(result.error.rfind("warning: ", 0) == 0);
   const auto report = nlohmann::json::parse(ReadAll(folder.PathOf("r.json")));
   CHECK(report["warnings"].size() == 1);
+}
+
+TEST_CASE("What happens to the voxels is told once, on stderr and in the report")
+{
+  const TemporaryFolder folder;
+  std::vector<float> voxels = { 0, 1, 2, std::nanf(""), 4, 5, 6, 7 };
+  folder.Write("v.raw", std::string(reinterpret_cast<const char*>(voxels.data()), 32));
+  const auto result = RunPenumbraRender({ folder.PathOf("v.raw"), "--set",
+    "volume.dimensions=[2,2,2]", "--set", "volume.scalarType=float32", "--frames", "2", "--report",
+    folder.PathOf("r.json") });
+  CHECK(result.exitStatus == 0);
+  CHECK(IsOneLine(result.error));
+  const auto report = nlohmann::json::parse(ReadAll(folder.PathOf("r.json")));
+  REQUIRE(report["warnings"].size() == 1);
+  CHECK_THAT(
+    report["warnings"][0].get<std::string>(), Catch::Matchers::ContainsSubstring("NaN"));
+  CHECK(report["volume"]["range"] == std::vector<double>{ 0.0, 7.0 });
+}
+
+TEST_CASE("A picture that cannot be rendered ends with status 1, one line, and nothing written")
+{
+  const TemporaryFolder folder;
+  folder.Write("v.raw", std::string(80000, 'a')); // longer than any texture
+  const auto before = folder.Names();
+  const auto result = RunPenumbraRender({ folder.PathOf("v.raw"), "--set",
+    "volume.dimensions=[20000,2,2]", "--set", "volume.scalarType=uint8", "--report",
+    folder.PathOf("r.json"), "--output", folder.PathOf("p.png") });
+  CHECK(result.exitStatus == 1);
+  CHECK(IsOneLine(result.error));
+  CHECK_THAT(result.error, Catch::Matchers::ContainsSubstring("20000"));
+  CHECK(folder.Names() == before);
 }

@@ -21,6 +21,7 @@
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -154,9 +155,15 @@ TEST_CASE("A mask hides where it is 0, and lies where the volume lies")
 
 TEST_CASE("The chosen transfer function hides the background and shows the object")
 {
-  const auto volume = MakeBall({}, 9.0, 2.0, { 240.0, 15.0 });
-  const SceneDescription scene = Resolve("", volume);
-  const auto property = MakeVolumeProperty(scene);
-  CHECK(property->GetScalarOpacity()->GetValue(15.0) == 0.0);
-  CHECK(property->GetScalarOpacity()->GetValue(240.0) > 0.5);
+  // Background 5 to 45, object 160 to 200.
+  const VolumeGrid grid;
+  const auto volume = SampleField(grid, [&](const Point& p)
+    {
+      const double waves = 20.0 * std::sin(p[0]) * std::cos(0.7 * p[1]);
+      return (p[2] > grid.Center()[2] + 6.0 ? 180.0 : 25.0) + waves;
+    });
+  const auto property = MakeVolumeProperty(Resolve("", volume));
+  CHECK(property->GetScalarOpacity()->GetValue(45.0) == 0.0);
+  CHECK(property->GetScalarOpacity()->GetValue(160.0) > 0.1);
+  CHECK(property->GetScalarOpacity()->GetValue(200.0) > 0.5);
 }
