@@ -43,6 +43,15 @@ void SetUniform(vtkShaderProgram* program, const char* name, double value)
 }
 
 //------------------------------------------------------------------------------
+void SetUniform(vtkShaderProgram* program, const char* name, const std::array<double, 2>& vector)
+{
+  if (program->IsUniformUsed(name))
+  {
+    program->SetUniform2f(name, ToFloat(vector).data());
+  }
+}
+
+//------------------------------------------------------------------------------
 void SetUniform(vtkShaderProgram* program, const char* name, const Vector3& vector)
 {
   if (program->IsUniformUsed(name))

@@ -18,6 +18,7 @@ namespace penumbra
 {
 
 void SetUniform(vtkShaderProgram* program, const char* name, double value);
+void SetUniform(vtkShaderProgram* program, const char* name, const std::array<double, 2>& vector);
 void SetUniform(vtkShaderProgram* program, const char* name, const Vector3& vector);
 void SetUniform(vtkShaderProgram* program, const char* name, const std::array<double, 4>& vector);
 void SetUniform(vtkShaderProgram* program, const char* name, const Matrix3& matrix);

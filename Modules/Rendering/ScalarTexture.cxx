@@ -14,7 +14,6 @@ namespace penumbra
 namespace
 {
 constexpr double LargestNormalized = 65535.0;
-constexpr double LargestFloat = std::numeric_limits<float>::max();
 
 template <typename Scalar>
 struct FiniteRange
@@ -90,8 +89,7 @@ void EncodeFloat(const Scalar* scalars, const ScalarEncoding& encoding, const Sc
     {
       double value = static_cast<double>(scalars[voxel]);
       value = std::isnan(value) ? range.Low : std::clamp(value, range.Low, range.High);
-      values[voxel] =
-        static_cast<float>(std::clamp(value - encoding.Offset, -LargestFloat, LargestFloat));
+      values[voxel] = static_cast<float>((value - encoding.Offset) / encoding.Scale);
     }
   });
 }
@@ -147,9 +145,23 @@ ScalarEncoding ChooseEncoding(int scalarType, const ScalarRange& range)
     default:
       break;
   }
+  // Without an offset values near 0 keep digits of their own, which faint gradients need; with one, values
+  // far from 0 keep those of their range.
+  constexpr double farFromZero = 8.0;
   const double middle = 0.5 * range.Low + 0.5 * range.High;
   const double halfRange = 0.5 * range.High - 0.5 * range.Low;
-  return { false, 1.0, std::abs(middle) > halfRange ? middle : 0.0 };
+  ScalarEncoding encoding;
+  encoding.Offset = std::abs(middle) > farFromZero * halfRange ? middle : 0.0;
+  // Floats overflow, or lose digits one by one, beyond these.
+  constexpr double huge = 1e30;
+  constexpr double tiny = 1e-20;
+  const double magnitude =
+    std::max(std::abs(range.Low - encoding.Offset), std::abs(range.High - encoding.Offset));
+  if (magnitude > huge || (magnitude > 0.0 && magnitude < tiny))
+  {
+    encoding.Scale = magnitude;
+  }
+  return encoding;
 }
 
 //------------------------------------------------------------------------------

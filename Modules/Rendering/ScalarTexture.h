@@ -4,7 +4,8 @@
  *
  * Scalars of 8 and 16 bits become 16-bit normalized values, all others floats: some drivers filter 8-bit
  * textures with 8 bits, which shows under steep transfer functions. Floats are stored relative to an
- * offset where the data's values are large against their range, so that single precision resolves them.
+ * offset where the data's values are large against their range, and divided by a scale where they are
+ * beyond single precision.
  * NaN and -Inf count as the smallest finite value, +Inf as the largest.
  */
 

@@ -1,5 +1,7 @@
 #include "TransferFunctionTable.h"
 
+#include "TransferFunctionPoints.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 
@@ -21,35 +23,6 @@ constexpr double AbsoluteTolerance = 2e-4;
 // Both opaque within a unit distance: the difference cannot be seen.
 constexpr double OpaqueDepth = 4.0;
 constexpr double ColorTolerance = 0.004;
-
-struct Point
-{
-  double Scalar;
-  std::array<double, 4> ColorAndOpacity;
-};
-
-std::vector<double> GetPointScalars(const TransferFunctions& functions)
-{
-  std::vector<double> scalars;
-  double values[6];
-  for (int node = 0; node < functions.Opacity->GetSize(); ++node)
-  {
-    functions.Opacity->GetNodeValue(node, values);
-    scalars.push_back(values[0]);
-  }
-  for (int node = 0; functions.Color && node < functions.Color->GetSize(); ++node)
-  {
-    functions.Color->GetNodeValue(node, values);
-    scalars.push_back(values[0]);
-  }
-  for (int node = 0; functions.Gray && node < functions.Gray->GetSize(); ++node)
-  {
-    functions.Gray->GetNodeValue(node, values);
-    scalars.push_back(values[0]);
-  }
-  std::sort(scalars.begin(), scalars.end());
-  return scalars;
-}
 
 std::vector<double> SampleColor(const TransferFunctions& functions, double low, double high, int size)
 {
@@ -144,91 +117,6 @@ void KeepEvery(int stride, int components, const std::vector<double>& from, std:
   }
 }
 
-// Whether the functions are straight lines between their points, clamped beyond them.
-bool ArePiecewiseLinear(const TransferFunctions& functions)
-{
-  const auto isStraight = [](vtkPiecewiseFunction* function) {
-    double node[4];
-    for (int i = 0; i < function->GetSize(); ++i)
-    {
-      function->GetNodeValue(i, node);
-      if (node[2] != 0.5 || node[3] != 0.0)
-      {
-        return false;
-      }
-    }
-    return function->GetClamping() != 0 && !function->GetUseLogScale();
-  };
-  if (!isStraight(functions.Opacity) || (functions.Gray && !isStraight(functions.Gray)))
-  {
-    return false;
-  }
-  if (!functions.Color)
-  {
-    return true;
-  }
-  double node[6];
-  for (int i = 0; i < functions.Color->GetSize(); ++i)
-  {
-    functions.Color->GetNodeValue(i, node);
-    if (node[4] != 0.5 || node[5] != 0.0)
-    {
-      return false;
-    }
-  }
-  return functions.Color->GetColorSpace() == VTK_CTF_RGB &&
-    functions.Color->GetScale() == VTK_CTF_LINEAR && functions.Color->GetClamping() != 0;
-}
-
-// The values of all functions at a scalar, approached from one side, so that a step has both its ends.
-template <int Components, typename Function>
-std::array<double, Components> GetLimit(Function* function, double scalar, bool fromBelow, int firstValue)
-{
-  std::array<double, Components> result{};
-  double left[6];
-  double right[6];
-  const int size = function->GetSize();
-  int next = 0;
-  for (; next < size; ++next)
-  {
-    function->GetNodeValue(next, right);
-    if (fromBelow ? right[0] >= scalar : right[0] > scalar)
-    {
-      break;
-    }
-  }
-  function->GetNodeValue(std::max(next - 1, 0), left);
-  function->GetNodeValue(std::min(next, size - 1), right);
-  const double width = right[0] - left[0];
-  const double fraction = width > 0.0 ? (scalar - left[0]) / width : 0.0;
-  for (int component = 0; component < Components; ++component)
-  {
-    const int value = firstValue + component;
-    result[component] = (1.0 - fraction) * left[value] + fraction * right[value];
-  }
-  return result;
-}
-
-Point GetPoint(const TransferFunctions& functions, double scalar, bool fromBelow)
-{
-  Point point{ scalar, { 1.0, 1.0, 1.0, 0.0 } };
-  if (functions.Opacity->GetSize() > 0)
-  {
-    point.ColorAndOpacity[3] = GetLimit<1>(functions.Opacity, scalar, fromBelow, 1)[0];
-  }
-  if (functions.Color && functions.Color->GetSize() > 0)
-  {
-    const auto color = GetLimit<3>(functions.Color, scalar, fromBelow, 1);
-    std::copy(color.begin(), color.end(), point.ColorAndOpacity.begin());
-  }
-  else if (functions.Gray && functions.Gray->GetSize() > 0)
-  {
-    std::fill_n(
-      point.ColorAndOpacity.begin(), 3, GetLimit<1>(functions.Gray, scalar, fromBelow, 1)[0]);
-  }
-  return point;
-}
-
 // What the table's linear interpolation gives at a scalar, as colour and extinction.
 std::array<double, 4> Interpolate(const TransferFunctionTable& table, double scalar)
 {
@@ -246,7 +134,7 @@ std::array<double, 4> Interpolate(const TransferFunctionTable& table, double sca
   return result;
 }
 
-bool Agrees(const Point& exact, const std::array<double, 4>& interpolated, double unitDistance)
+bool Agrees(const TransferFunctionPoint& exact, const std::array<double, 4>& interpolated, double unitDistance)
 {
   bool agrees = DepthsAgree(
     ComputeExtinction(exact.ColorAndOpacity[3], 1.0), interpolated[3] * unitDistance);
@@ -312,31 +200,17 @@ std::vector<int> GetSizes(const TransferFunctionTable& table, bool integerData, 
 }
 
 void FillPoints(
-  const TransferFunctions& functions, std::vector<double> scalars, TransferFunctionTable& table)
+  const TransferFunctions& functions, const std::vector<double>& scalars, TransferFunctionTable& table)
 {
-  scalars.erase(std::unique(scalars.begin(), scalars.end()), scalars.end());
-  std::vector<Point> points;
-  for (double scalar : scalars)
-  {
-    const Point below = GetPoint(functions, scalar, true);
-    const Point above = GetPoint(functions, scalar, false);
-    points.push_back(below);
-    if (above.ColorAndOpacity != below.ColorAndOpacity)
-    {
-      points.push_back(above);
-    }
-  }
   table.Lookup = TransferFunctionLookup::Points;
   table.Low = scalars.front();
   table.High = scalars.back();
-  table.Points.assign(8 * points.size(), 0.0f);
-  for (size_t i = 0; i < points.size(); ++i)
+  for (const TransferFunctionPoint& point : GetPoints(functions, scalars))
   {
-    table.Points[4 * i] = static_cast<float>(points[i].Scalar - table.Low);
-    for (size_t channel = 0; channel < 4; ++channel)
+    table.PointScalars.push_back(point.Scalar - table.Low);
+    for (double channel : point.ColorAndOpacity)
     {
-      table.Points[4 * (points.size() + i) + channel] =
-        static_cast<float>(points[i].ColorAndOpacity[channel]);
+      table.PointColors.push_back(static_cast<float>(channel));
     }
   }
 }

@@ -44,11 +44,11 @@ struct TransferFunctionTable
   double High = 0.0;
   std::vector<float> Extinction; ///< Table
   std::vector<float> Color;      ///< Table: 3 an entry
-  /// Points: one row of scalars relative to Low (4 floats each, the first counts), one of colour and opacity.
-  std::vector<float> Points;
+  std::vector<double> PointScalars; ///< Points: relative to Low, ascending; both ends of a step
+  std::vector<float> PointColors;   ///< Points: colour and opacity, 4 a point
 
   int GetSize() const { return static_cast<int>(this->Extinction.size()); }
-  int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 8); }
+  int GetNumberOfPoints() const { return static_cast<int>(this->PointScalars.size()); }
 };
 
 PENUMBRARENDERING_EXPORT TransferFunctionTable MakeTransferFunctionTable(

@@ -38,13 +38,12 @@ void Prepare(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int filte
 
 // Scale and offset from what the scalar texture returns to the coordinate of an even table whose first
 // and last entries, at the centres of their texels, belong to low and high.
-std::array<float, 2> GetTableCoordinate(
+std::array<double, 2> GetTableCoordinate(
   double low, double high, size_t size, double scale, double offset)
 {
   const double texels = static_cast<double>(size);
   const double perScalar = (texels - 1.0) / (texels * (high - low));
-  return { static_cast<float>(perScalar * scale),
-    static_cast<float>((offset - low) * perScalar + 0.5 / texels) };
+  return { perScalar * scale, (offset - low) * perScalar + 0.5 / texels };
 }
 
 void SetSampler(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
@@ -157,12 +156,13 @@ void VolumeTextures::LoadPoints(vtkOpenGLRenderWindow* window)
   this->Extinction->ReleaseGraphicsResources(window);
   this->Color->ReleaseGraphicsResources(window);
   const int points = this->Table.GetNumberOfPoints();
-  std::vector<float> rows = this->Table.Points;
+  std::vector<float> rows(4 * static_cast<size_t>(points), 0.0f);
   const double scale = this->Scalars.GetEncoding().Scale;
   for (int point = 0; point < points; ++point)
   {
-    rows[4 * point] = static_cast<float>(rows[4 * point] / scale);
+    rows[4 * point] = static_cast<float>(this->Table.PointScalars[point] / scale);
   }
+  rows.insert(rows.end(), this->Table.PointColors.begin(), this->Table.PointColors.end());
   Prepare(this->Points, window, vtkTextureObject::Nearest);
   this->Points->Create2DFromRaw(points, 2, 4, VTK_FLOAT, rows.data());
 }
@@ -242,26 +242,25 @@ void VolumeTextures::SetUniforms(
   {
     const auto coordinate = GetTableCoordinate(this->Table.Low, this->Table.High,
       this->Table.Extinction.size(), encoding.Scale, encoding.Offset);
-    program->SetUniform2f("scene_tableCoordinate", coordinate.data());
+    SetUniform(program, "scene_tableCoordinate", coordinate);
   }
   else
   {
     program->SetUniformi("scene_pointSearchSteps", this->GetLookupIterations());
-    program->SetUniformf("scene_pointOffset",
-      static_cast<float>((this->Table.Low - encoding.Offset) / encoding.Scale));
-    program->SetUniformf("scene_reciprocalUnitDistance", static_cast<float>(1.0 / unitDistance));
+    SetUniform(program, "scene_pointOffset", (this->Table.Low - encoding.Offset) / encoding.Scale);
+    SetUniform(program, "scene_reciprocalUnitDistance", 1.0 / unitDistance);
   }
   if (!this->GradientOpacity.Opacity.empty())
   {
     const auto coordinate = GetTableCoordinate(this->GradientOpacity.Low,
-      this->GradientOpacity.High, this->GradientOpacity.Opacity.size(), 1.0, 0.0);
-    program->SetUniform2f("scene_gradientOpacityCoordinate", coordinate.data());
-    Matrix3 perVoxel = geometry.GetGradientToMagnitude();
-    for (double& element : perVoxel)
+      this->GradientOpacity.High, this->GradientOpacity.Opacity.size(), encoding.Scale, 0.0);
+    Matrix3 toTable = geometry.GetGradientToMagnitude();
+    for (double& element : toTable)
     {
-      element *= encoding.Scale;
+      element *= coordinate[0];
     }
-    SetUniform(program, "scene_gradientToMagnitude", perVoxel);
+    SetUniform(program, "scene_gradientToTable", toTable);
+    SetUniform(program, "scene_gradientTableOffset", coordinate[1]);
   }
 }
 

@@ -10,7 +10,7 @@ namespace
 const std::map<std::string, std::vector<std::string>> Symbols = {
   { "opacity", { "extinctionOf(", "colorOf(" } },
   { "gradient opacity",
-    { "scene_gradientOpacity", "scene_gradientToMagnitude", "scene_gradientOpacityCoordinate" } },
+    { "scene_gradientOpacity", "scene_gradientToTable", "scene_gradientTableOffset" } },
   { "clipping planes", { "scene_clippingPlanes" } },
   { "mask", { "scene_mask", "maskShows" } },
   { "shading", { "scene_ambient" } },

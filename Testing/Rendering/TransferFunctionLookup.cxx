@@ -26,7 +26,7 @@ Matter LookUpTable(const TransferFunctionTable& table, double scalar)
 Matter LookUpPoints(const TransferFunctionTable& table, double scalar, double unitDistance)
 {
   const int points = table.GetNumberOfPoints();
-  const auto scalarOf = [&](int point) { return static_cast<double>(table.Points[4 * point]); };
+  const auto scalarOf = [&](int point) { return table.PointScalars[point]; };
   int next = 0;
   while (next < points && scalarOf(next) <= scalar - table.Low)
   {
@@ -40,8 +40,8 @@ Matter LookUpPoints(const TransferFunctionTable& table, double scalar, double un
   std::array<double, 4> values;
   for (int channel = 0; channel < 4; ++channel)
   {
-    values[channel] = (1.0 - fraction) * table.Points[4 * (points + from) + channel] +
-      fraction * table.Points[4 * (points + to) + channel];
+    values[channel] = (1.0 - fraction) * table.PointColors[4 * from + channel] +
+      fraction * table.PointColors[4 * to + channel];
   }
   return { ComputeExtinction(values[3], unitDistance), { values[0], values[1], values[2] } };
 }
