@@ -9,8 +9,7 @@ namespace
 {
 const std::map<std::string, std::vector<std::string>> Symbols = {
   { "opacity", { "extinctionOf(", "colorOf(" } },
-  { "gradient opacity",
-    { "scene_gradientOpacity", "scene_gradientToTable", "scene_gradientTableOffset" } },
+  { "gradient opacity", { "scene_gradientOpacity", "scene_gradientToTable" } },
   { "clipping planes", { "scene_clippingPlanes" } },
   { "mask", { "scene_mask", "maskShows" } },
   { "shading", { "scene_ambient" } },
@@ -48,6 +47,23 @@ std::string Check(const std::string& text, const std::vector<std::string>& symbo
   }
   return wrong;
 }
+
+// Each kind and shadow state has a loop of its own.
+std::string FindWrongLoops(const LightingRequirements& requirements, const std::string& text)
+{
+  const std::string kinds[] = { "DIRECTIONAL", "POINT", "SPOT" };
+  const std::string shadows[] = { "", "_SOFT", "_HARD" };
+  std::string wrong;
+  for (int kind = 0; kind < NumberOfLightKinds; ++kind)
+  {
+    for (int shadow = 0; shadow < NumberOfShadowKinds; ++shadow)
+    {
+      wrong += Check(text, { "int light = " + kinds[kind] + shadows[shadow] + "_FIRST;" },
+        requirements.Lights[kind][shadow] > 0);
+    }
+  }
+  return wrong;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -70,7 +86,10 @@ std::string GetCompiledText(const std::string& source)
     }
     else if (directive == "#if")
     {
-      leftOut = defined.at(name) <= 0;
+      char greater;
+      int bound;
+      words >> greater >> bound;
+      leftOut = defined.at(name) <= bound;
     }
     else if (directive == "#endif")
     {
@@ -105,6 +124,7 @@ std::string FindWrongSymbols(const LightingRequirements& requirements, const std
   const bool table = requirements.Opacity == TransferFunctionLookup::Table;
   wrong += Check(text, { "scene_extinction", "scene_color", "scene_tableCoordinate" }, table);
   wrong += Check(text, { "scene_points", "scene_pointSearchSteps" }, !table);
+  wrong += FindWrongLoops(requirements, text);
   wrong += Check(text, RegionSymbols, requirements.Cropping == CroppingKind::Regions);
   return wrong;
 }

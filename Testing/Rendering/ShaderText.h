@@ -12,7 +12,7 @@
 
 namespace penumbra
 {
-/// The source without comments and without what #if NAME > 0 leaves out.
+/// The source without comments and without what #if NAME > NUMBER leaves out.
 std::string GetCompiledText(const std::string& source);
 
 /// Text that a program contains where, and only where, it needs the entry of this name.

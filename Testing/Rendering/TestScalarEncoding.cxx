@@ -107,7 +107,8 @@ TEST_CASE("Values beyond single precision keep its digits")
     const std::vector<double> decoded = GetDecoded(MakeArray(VTK_DOUBLE, values));
     for (size_t i = 0; i < values.size(); ++i)
     {
-      CHECK(std::abs(decoded[i] - values[i]) <= 64.0 * unit * std::numeric_limits<float>::epsilon());
+      CHECK(
+        std::abs(decoded[i] - values[i]) <= 64.0 * unit * std::numeric_limits<float>::epsilon());
     }
   }
 }
@@ -130,4 +131,3 @@ TEST_CASE("NaN and -Inf count as the smallest finite value, +Inf as the largest"
   CHECK(GetDecoded(MakeArray(VTK_FLOAT, { std::nan(""), Infinity })) ==
     std::vector<double>{ 0.0, 0.0 });
 }
-

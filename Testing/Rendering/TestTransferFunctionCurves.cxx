@@ -60,6 +60,24 @@ TEST_CASE("Curved colour and opacity functions are tables that follow the curve"
   }
 }
 
+TEST_CASE("A curved gray function gives all three channels")
+{
+  OwnedFunctions owned{ { 0.0, 0.1 } };
+  vtkNew<vtkPiecewiseFunction> gray;
+  gray->AddPoint(0.0, 0.25, 0.3, 0.5);
+  gray->AddPoint(255.0, 0.75);
+  owned.functions.Color = nullptr;
+  owned.functions.Gray = gray;
+  const TransferFunctionTable table = owned.MakeTable();
+  for (double scalar = 0.0; scalar < 255.0; scalar += 1.7)
+  {
+    for (const double channel : LookUp(table, scalar, 1.0).color)
+    {
+      CHECK(channel == Approx(gray->GetValue(scalar)).margin(0.006));
+    }
+  }
+}
+
 TEST_CASE("A curved function with a step stays a table, as fine as allowed")
 {
   for (const Curve& curve : Curves)

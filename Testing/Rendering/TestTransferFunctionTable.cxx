@@ -19,9 +19,13 @@ void CheckWithinTolerance(const OwnedFunctions& owned, const TransferFunctionTab
   const TransferFunctions& functions = owned.functions;
   std::mt19937 generator(50);
   std::uniform_real_distribution<double> even(functions.DataLow, functions.DataHigh);
+  std::normal_distribution<double> nearby(0.0, 0.001 * (functions.DataHigh - functions.DataLow));
+  const int points = functions.Opacity->GetSize();
   for (int sample = 0; sample < 2000; ++sample)
   {
-    const double scalar = even(generator);
+    double node[4];
+    functions.Opacity->GetNodeValue(sample % points, node);
+    const double scalar = sample % 2 == 0 ? even(generator) : node[0] + nearby(generator);
     const Matter found = LookUp(table, scalar, functions.UnitDistance);
     const Matter expected = Evaluate(functions, scalar);
     INFO("at " << scalar << ": " << found.extinction << " for " << expected.extinction);
@@ -74,6 +78,16 @@ TEST_CASE("Ramps are within the tolerance at every scalar")
     CheckWithinTolerance(gentle, table);
     CheckWithinTolerance(steep, steep.MakeTable());
   }
+}
+
+TEST_CASE("A ramp that nears full opacity, and a narrow ramp of colour, keep the tolerance")
+{
+  OwnedFunctions dense{ { 0.0, 0.0 }, { 20.1, 0.98 }, { 255.0, 0.98 } };
+  CheckWithinTolerance(dense, dense.MakeTable());
+  OwnedFunctions colored{ { 0.0, 0.1 }, { 100.1, 0.1 }, { 102.1, 0.1 } };
+  colored.color->AddRGBPoint(100.1, 0.0, 0.0, 0.0);
+  colored.color->AddRGBPoint(102.1, 1.0, 1.0, 1.0);
+  CheckWithinTolerance(colored, colored.MakeTable());
 }
 
 TEST_CASE("A gray function gives all three channels")
