@@ -95,8 +95,8 @@ MaterialDescription ParseMaterial(const nlohmann::json& value)
     Vector3 ignored{};
     object.Read(key, ignored, AnyNumber);
   }
-  bool ignored = false;
-  object.ReadChoice<bool>("distribution", ignored, { { "beckmann", true }, { "gaussian", false } });
+  std::string ignored;
+  object.Read("distribution", ignored);
   object.Find("environmentMap");
   object.RefuseUnknownKeys();
   return material;

@@ -42,6 +42,8 @@ constexpr NumberRange AnyNumber;
 constexpr NumberRange ZeroOrMore{ 0.0 };
 constexpr NumberRange MoreThanZero{ 0.0, std::numeric_limits<double>::max(), false };
 constexpr NumberRange ZeroToOne{ 0.0, 1.0 };
+/// VTK keeps the length of a step in single precision.
+constexpr NumberRange StepLengths{ 1e-30, 1e30 };
 
 /// A JSON value on one line, shortened for a message.
 std::string ValueInWords(const nlohmann::json& value);

@@ -139,7 +139,7 @@ struct CameraDescription
   std::optional<Vector3> Position;
   /// Empty: the middle of the volume.
   std::optional<Vector3> FocalPoint;
-  /// Empty: the patient's head, or whichever axis is not along the view.
+  /// Empty: z, or y where the view is along z.
   std::optional<Vector3> ViewUp;
   /// Of the picture's height.
   double ViewAngle = 30.0;

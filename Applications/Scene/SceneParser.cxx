@@ -40,7 +40,7 @@ ShadowsDescription ParseShadows(const nlohmann::json& value)
   object.ReadChoice<TechniqueChoice>("technique", shadows.Technique,
     { { "auto", TechniqueChoice::Auto }, { "rays", TechniqueChoice::Rays } },
     { "volume", "map", "deep-map" });
-  object.Read("sampleDistance", shadows.SampleDistance, MoreThanZero);
+  object.Read("sampleDistance", shadows.SampleDistance, StepLengths);
   object.Read("resolution", shadows.Resolution, MoreThanZero);
   object.Read("tolerance", shadows.Tolerance, ZeroOrMore);
   object.RefuseUnknownKeys();
@@ -127,7 +127,7 @@ SceneDescription ParseScene(const nlohmann::json& json, const std::filesystem::p
   {
     description.Image = ParseImage(*value);
   }
-  scene.Read("sampleDistance", description.SampleDistance, MoreThanZero);
+  scene.Read("sampleDistance", description.SampleDistance, StepLengths);
   scene.Read("skipEmptySpace", description.SkipEmptySpace);
   scene.ReadChoice<RendererChoice>("renderer", description.Renderer,
     { { "penumbra", RendererChoice::Penumbra }, { "vtk", RendererChoice::StockMapper } },

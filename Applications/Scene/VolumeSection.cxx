@@ -85,31 +85,15 @@ void ReadScalarType(JsonObject& object, std::optional<int>& scalarType)
 {
   std::string name;
   object.Read("scalarType", name);
-  if (const nlohmann::json* value = object.Find("scalarType"))
+  scalarType = ScalarTypeFromName(name);
+  if (!scalarType)
   {
-    scalarType = ScalarTypeFromName(name);
-    if (!scalarType)
-    {
-      RefuseValue(object.PathOf("scalarType"), *value, ScalarTypeNames());
-    }
+    RefuseValue(object.PathOf("scalarType"), *object.Find("scalarType"), ScalarTypeNames());
   }
 }
 
-void ReadRawGeometry(JsonObject& object, bool isRaw, VolumeDescription& volume)
+void ReadRawGeometry(JsonObject& object, VolumeDescription& volume)
 {
-  object.Read("dimensions", volume.Dimensions, 1, std::numeric_limits<int>::max());
-  ReadScalarType(object, volume.ScalarType);
-  object.Read("spacing", volume.Spacing, isRaw ? MoreThanZero : AnyNumber);
-  object.Read("origin", volume.Origin, AnyNumber);
-  object.Read("direction", volume.Direction, AnyNumber);
-  object.ReadChoice<bool>("byteOrder", volume.BigEndian, { { "little", false }, { "big", true } });
-  std::int64_t headerBytes = 0;
-  object.Read("headerBytes", headerBytes, 0, LargestHeader);
-  volume.HeaderBytes = static_cast<std::uint64_t>(headerBytes);
-  if (!isRaw)
-  {
-    return;
-  }
   for (const char* key : { "dimensions", "scalarType" })
   {
     if (!object.Find(key))
@@ -118,11 +102,39 @@ void ReadRawGeometry(JsonObject& object, bool isRaw, VolumeDescription& volume)
         (key == std::string("dimensions") ? "[256,256,128]" : "\"uint8\""));
     }
   }
+  object.Read("dimensions", volume.Dimensions, 1, std::numeric_limits<int>::max());
+  ReadScalarType(object, volume.ScalarType);
+  object.Read("spacing", volume.Spacing, MoreThanZero);
+  object.Read("origin", volume.Origin, AnyNumber);
+  object.Read("direction", volume.Direction, AnyNumber);
+  object.ReadChoice<bool>("byteOrder", volume.BigEndian, { { "little", false }, { "big", true } });
+  std::int64_t headerBytes = 0;
+  object.Read("headerBytes", headerBytes, 0, LargestHeader);
+  volume.HeaderBytes = static_cast<std::uint64_t>(headerBytes);
   const auto& d = volume.Direction;
   if (!AreIndependent({ d[0], d[3], d[6] }, { d[1], d[4], d[7] }, { d[2], d[5], d[8] }))
   {
     RefuseValue(object.PathOf("direction"), *object.Find("direction"), "an invertible matrix");
   }
+}
+
+// Other formats know their geometry: these keys may stand there, and hold whatever is of their type.
+void IgnoreRawGeometry(JsonObject& object)
+{
+  for (const char* key : { "dimensions", "spacing", "origin" })
+  {
+    Vector3 ignored{};
+    object.Read(key, ignored, AnyNumber);
+  }
+  for (const char* key : { "scalarType", "byteOrder" })
+  {
+    std::string ignored;
+    object.Read(key, ignored);
+  }
+  std::array<double, 9> direction{};
+  object.Read("direction", direction, AnyNumber);
+  double headerBytes = 0.0;
+  object.Read("headerBytes", headerBytes, AnyNumber);
 }
 }
 
@@ -132,7 +144,14 @@ VolumeDescription ParseVolume(const nlohmann::json& value, const std::filesystem
   VolumeDescription volume;
   JsonObject object(value, "volume");
   volume.File = ReadFile(object, "file", folder);
-  ReadRawGeometry(object, ExtensionOf(volume.File) == ".raw", volume);
+  if (ExtensionOf(volume.File) == ".raw")
+  {
+    ReadRawGeometry(object, volume);
+  }
+  else
+  {
+    IgnoreRawGeometry(object);
+  }
   std::string series; // only folders of DICOM files use it
   object.Read("series", series);
   object.Read("transform", volume.Transform, AnyNumber);

@@ -130,8 +130,10 @@ TEST_CASE("What a light or format does not use is ignored")
   CHECK_NOTHROW(Parse(R"(, "lights": [{ "type": "point", "direction": [0,0,0] }])"));
   CHECK_NOTHROW(Parse(R"(, "lights": [{ "type": "directional", "coneAngle": 720 }])"));
   CHECK_NOTHROW(Parse(R"(, "material": { "roughness": -1 })"));
-  CHECK_NOTHROW(ParseScene(
-    ParseJson(R"({ "volume": { "file": "v.mhd", "spacing": [0,0,0], "series": "1.2" } })"), ""));
+  CHECK_NOTHROW(ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd", "spacing": [0,0,0],
+    "dimensions": [0,0,0], "scalarType": "?", "series": "1.2" } })"), ""));
+  CHECK_THROWS_AS(
+    ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd", "spacing": 1 } })"), ""), InputError);
 }
 
 TEST_CASE("An error names the key, the value and what is accepted")
@@ -158,10 +160,10 @@ TEST_CASE("An error names the key, the value and what is accepted")
     { R"(, "lights": [{ "name": 5 }])", "lights.0.name", "5", "string" },
     { R"(, "material": { "ambient": 1.01 })", "material.ambient", "1.01", "0 to 1" },
     { R"(, "material": { "specularPower": -0.5 })", "material.specularPower", "-0.5", "at least 0" },
-    { R"(, "sampleDistance": 0)", "sampleDistance", "0", "more than 0" },
+    { R"(, "sampleDistance": 0)", "sampleDistance", "0", "from 1e-30" },
     { R"(, "sampleDistance": "NaN")", "sampleDistance", "NaN", "number" },
     { R"(, "sampleDistance": null)", "sampleDistance", "null", "number" },
-    { R"(, "shadows": { "sampleDistance": -2 })", "shadows.sampleDistance", "-2", "more than 0" },
+    { R"(, "shadows": { "sampleDistance": -2 })", "shadows.sampleDistance", "-2", "from 1e-30" },
     { R"(, "transferFunction": { "opacity": [] })", "transferFunction.opacity", "[]", "one or more" },
     { R"(, "transferFunction": { "opacity": [[0,1.5]] })", "transferFunction.opacity", "1.5", "0 to 1" },
     { R"(, "transferFunction": { "color": [[0,1,1]] })", "transferFunction.color", "[[0,1,1]]", "red" },
@@ -201,7 +203,7 @@ TEST_CASE("A volume's mistakes are named")
   const auto mistake = GENERATE_COPY(values<Mistake>({
     { R"("scalarType": "int8")", "volume.dimensions is missing" },
     { R"("dimensions": [1,1,1])", "volume.scalarType is missing" },
-    { R"("dimensions": [0,1,1])", "volume.dimensions is [0,1,1]" },
+    { R"("dimensions": [0,1,1], "scalarType": "int8")", "volume.dimensions is [0,1,1]" },
     { R"("dimensions": [1,1,1], "scalarType": "uint9")", "volume.scalarType is \"uint9\"" },
     { needed + R"("spacing": [1,0,1])", "volume.spacing is [1,0,1]" },
     { needed + R"("direction": [1,0,0, 1,0,0, 0,0,1])", "volume.direction is" },
