@@ -25,7 +25,9 @@ void CheckWithinTolerance(const OwnedFunctions& owned, const TransferFunctionTab
   {
     double node[4];
     functions.Opacity->GetNodeValue(sample % points, node);
-    const double scalar = sample % 2 == 0 ? even(generator) : node[0] + nearby(generator);
+    const double scalar =
+      std::clamp(sample % 2 == 0 ? even(generator) : node[0] + nearby(generator), functions.DataLow,
+        functions.DataHigh);
     const Matter found = LookUp(table, scalar, functions.UnitDistance);
     const Matter expected = Evaluate(functions, scalar);
     INFO("at " << scalar << ": " << found.extinction << " for " << expected.extinction);
