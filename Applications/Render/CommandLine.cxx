@@ -54,8 +54,10 @@ void AddOptions(CLI::App& program, Words& words, RenderCommand& command)
     ->type_name("WHAT");
   program.add_option("--report", words.Report, "JSON file for timings and what was rendered")
     ->type_name("FILE");
-  program.add_flag("--explain", command.Explain, "Print what the scene needs and what was left out");
-  program.add_option("--save-scene", words.SavedScene, "Write the whole scene, defaults spelled out")
+  program.add_flag(
+    "--explain", command.Explain, "Print what the scene needs and what was left out");
+  program
+    .add_option("--save-scene", words.SavedScene, "Write the whole scene, defaults spelled out")
     ->type_name("FILE");
   program.add_option("--preset", words.Preset, "Appearance by name (not available yet)")
     ->type_name("NAME");

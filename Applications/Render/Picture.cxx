@@ -84,7 +84,8 @@ PictureFormat FormatOf(const std::filesystem::path& file)
   {
     return PictureFormat::Mha;
   }
-  throw InputError("--output is " + file.u8string() + "; accepted: a name that ends in .png or .mha");
+  throw InputError(
+    "--output is " + file.u8string() + "; accepted: a name that ends in .png or .mha");
 }
 
 //------------------------------------------------------------------------------

@@ -88,8 +88,8 @@ struct CommandOutputs
   std::optional<OutputFile> Scene;
 
 private:
-  void Open(const std::string& option, const std::optional<fs::path>& path,
-    std::optional<OutputFile>& file)
+  void Open(
+    const std::string& option, const std::optional<fs::path>& path, std::optional<OutputFile>& file)
   {
     if (!path)
     {

@@ -14,8 +14,8 @@ namespace penumbra
 {
 
 /**
- * Reads, renders and writes as the command says, and prints warnings to stderr. Files appear only if
- * all went well.
+ * Reads, renders and writes as the command says, and prints warnings to stderr. Files appear only
+ * if all went well.
  * @throw InputError where the input is not valid, RenderingError where rendering fails.
  */
 void Execute(const RenderCommand& command, vtkMessageCollector* messages);

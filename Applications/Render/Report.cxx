@@ -83,8 +83,7 @@ std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
   report["shadowUpdateSeconds"] = 0.0; // rays keep nothing between frames
   report["technique"] = NameOfTechnique(mapper);
   report["requirements"] = requirements;
-  report["leftOut"] =
-    mapper ? mapper->GetRequirements().GetLeftOut() : std::vector<std::string>();
+  report["leftOut"] = mapper ? mapper->GetRequirements().GetLeftOut() : std::vector<std::string>();
   report["warnings"] = warnings;
   report["peakMemoryBytes"] = PeakMemoryBytes();
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

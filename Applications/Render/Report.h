@@ -18,8 +18,8 @@ namespace penumbra
 {
 
 /**
- * The report as JSON. `mapper` is null where the stock mapper rendered, which has no requirements to
- * tell.
+ * The report as JSON. `mapper` is null where the stock mapper rendered, which has no requirements
+ * to tell.
  */
 std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
   vtkIlluminatedVolumeMapper* mapper, const std::vector<std::string>& warnings);

@@ -30,8 +30,8 @@ bool IsPoint(const nlohmann::json& point)
 
 // Points may come in any order; those at one x keep theirs, which makes a step.
 template <std::size_t NumberOfValues>
-void ReadPoints(JsonObject& object, const std::string& key,
-  std::optional<FunctionPoints<NumberOfValues>>& target)
+void ReadPoints(
+  JsonObject& object, const std::string& key, std::optional<FunctionPoints<NumberOfValues>>& target)
 {
   const nlohmann::json* value = object.Find(key);
   if (!value)
@@ -76,8 +76,7 @@ MaterialDescription ParseMaterial(const nlohmann::json& value)
   JsonObject object(value, "material");
   bool phong = true;
   object.ReadChoice<bool>("model", phong, { { "phong", true } },
-    { "blinn-phong", "oren-nayar", "ward", "ward-anisotropic", "cook-torrance",
-      "reflection-map" });
+    { "blinn-phong", "oren-nayar", "ward", "ward-anisotropic", "cook-torrance", "reflection-map" });
   object.Read("ambient", material.Ambient, ZeroToOne);
   object.Read("diffuse", material.Diffuse, ZeroToOne);
   object.Read("specular", material.Specular, ZeroToOne);

@@ -173,8 +173,7 @@ void JsonObject::Read(
   {
     if (!IsIntegerWithin(*value, minimum, maximum))
     {
-      RefuseValue(
-        this->PathOf(key), *value, "a whole number " + IntegersInWords(minimum, maximum));
+      RefuseValue(this->PathOf(key), *value, "a whole number " + IntegersInWords(minimum, maximum));
     }
     target = static_cast<std::int64_t>(value->get<double>());
   }

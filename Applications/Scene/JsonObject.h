@@ -3,8 +3,8 @@
  * @brief   one object of a scene file, read key by key
  *
  * Each Read function leaves its target alone where the key is absent, and throws an InputError that
- * names the key with its path, its value and what is accepted, where the value is of another type or
- * out of range. RefuseUnknownKeys then finds the keys that nothing asked for.
+ * names the key with its path, its value and what is accepted, where the value is of another type
+ * or out of range. RefuseUnknownKeys then finds the keys that nothing asked for.
  */
 
 #ifndef JsonObject_h

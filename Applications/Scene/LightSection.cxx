@@ -26,14 +26,13 @@ LightDescription ParseLight(const nlohmann::json& value, const std::string& path
       { "spot", LightType::Spot }, { "headlight", LightType::Headlight } });
   object.Read("name", light.Name);
   object.Read("on", light.On);
-  object.ReadChoice<LightFrame>("frame", light.Frame,
-    { { "scene", LightFrame::Scene }, { "camera", LightFrame::Camera } });
+  object.ReadChoice<LightFrame>(
+    "frame", light.Frame, { { "scene", LightFrame::Scene }, { "camera", LightFrame::Camera } });
   object.Read("position", light.Position, AnyNumber);
   object.Read("direction", light.Direction, AnyNumber);
   if (UsesDirection(light.Type) && Length(light.Direction) == 0.0)
   {
-    RefuseValue(
-      object.PathOf("direction"), *object.Find("direction"), "a vector other than zero");
+    RefuseValue(object.PathOf("direction"), *object.Find("direction"), "a vector other than zero");
   }
   object.Read("ambient", light.Ambient, ZeroOrMore);
   object.Read("diffuse", light.Diffuse, ZeroOrMore);

@@ -104,17 +104,16 @@ void ResolveCamera(CameraDescription& camera, const VolumeBox& box, double aspec
   CheckView(camera);
   if (!camera.Position)
   {
-    const Vector3 toEye = Normalized(
-      camera.ViewUp ? FirstAcross(DefaultDirectionsToEye, *camera.ViewUp)
-                    : DefaultDirectionsToEye[0]);
+    const Vector3 toEye =
+      Normalized(camera.ViewUp ? FirstAcross(DefaultDirectionsToEye, *camera.ViewUp)
+                               : DefaultDirectionsToEye[0]);
     camera.ViewUp = camera.ViewUp.value_or(DefaultViewUps[0]);
     const double distance = FittingDistance(camera, *camera.FocalPoint, toEye, box, aspect);
     camera.Position = Sum(*camera.FocalPoint, Scaled(toEye, distance));
   }
   if (!camera.ViewUp)
   {
-    camera.ViewUp =
-      FirstAcross(DefaultViewUps, Difference(*camera.Position, *camera.FocalPoint));
+    camera.ViewUp = FirstAcross(DefaultViewUps, Difference(*camera.Position, *camera.FocalPoint));
   }
   CheckView(camera);
 }

@@ -16,13 +16,14 @@ namespace penumbra
 class VolumeBox;
 
 /**
- * @throw InputError where what is given of the camera has no direction of view, or one along viewUp.
+ * @throw InputError where what is given of the camera has no direction of view, or one along
+ * viewUp.
  */
 void CheckView(const CameraDescription& camera);
 
 /**
- * Fills in what is not given: a view of the whole box from the front, a little from the left and from
- * above, z up. `aspect` is the picture's width over its height.
+ * Fills in what is not given: a view of the whole box from the front, a little from the left and
+ * from above, z up. `aspect` is the picture's width over its height.
  * @throw InputError where what is given does not go with the box.
  */
 void ResolveCamera(CameraDescription& camera, const VolumeBox& box, double aspect);

@@ -41,8 +41,8 @@ void ResolveScene(SceneDescription& scene, vtkImageData* image)
     light.ShadowBias = light.ShadowBias.value_or(smallest);
   }
   const auto& size = scene.Image.Size;
-  ResolveCamera(scene.Camera, VolumeBox(image, scene.Volume.Transform),
-    static_cast<double>(size[0]) / size[1]);
+  ResolveCamera(
+    scene.Camera, VolumeBox(image, scene.Volume.Transform), static_cast<double>(size[0]) / size[1]);
 }
 
 }

@@ -3,9 +3,9 @@
  * @brief   a scene file as plain values
  *
  * The structs mirror the keys of a scene file and their defaults. What is empty in an optional is
- * either absent from the scene, or chosen from the volume by ResolveScene (SceneDefaults.h), as each
- * says. Colours are linear, 0 to 1; angles are in degrees; matrices are row-major. The volume's own
- * lengths are those before its transform.
+ * either absent from the scene, or chosen from the volume by ResolveScene (SceneDefaults.h), as
+ * each says. Colours are linear, 0 to 1; angles are in degrees; matrices are row-major. The
+ * volume's own lengths are those before its transform.
  */
 
 #ifndef SceneDescription_h

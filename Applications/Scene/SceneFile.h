@@ -30,8 +30,8 @@ nlohmann::json ParseJson(const std::string& text);
  * The scene in a scene file, or a volume with the defaults for all else, after the settings (see
  * ApplySetting) were applied in their order. Paths in settings are relative to where paths in the
  * scene are: to the scene file's folder, or to the current folder for a volume.
- * @throw InputError where the file cannot be read or the scene is not valid. The volume itself is not
- * opened.
+ * @throw InputError where the file cannot be read or the scene is not valid. The volume itself is
+ * not opened.
  */
 SceneDescription LoadScene(
   const std::filesystem::path& file, const std::vector<std::string>& settings);

@@ -45,8 +45,7 @@ vtkSmartPointer<vtkVolumeLight> MakeLight(const LightDescription& description)
     light->SetLightTypeToSceneLight();
     PlaceLight(light, PositionOf(description), DirectionOf(description));
   }
-  light->SetPositional(
-    description.Type == LightType::Point || description.Type == LightType::Spot);
+  light->SetPositional(description.Type == LightType::Point || description.Type == LightType::Spot);
   light->SetConeAngle(description.Type == LightType::Spot ? description.ConeAngle : NoCone);
   light->SetExponent(description.Exponent);
   const Vector3& attenuation = description.Attenuation;

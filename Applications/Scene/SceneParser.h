@@ -15,8 +15,8 @@ namespace penumbra
 
 /**
  * The scene that `scene` describes; relative paths in it are relative to `folder`.
- * @throw InputError at the first unknown key, wrong type or impossible value, and at keys and values
- * that are part of the format but not built yet.
+ * @throw InputError at the first unknown key, wrong type or impossible value, and at keys and
+ * values that are part of the format but not built yet.
  */
 SceneDescription ParseScene(const nlohmann::json& scene, const std::filesystem::path& folder);
 

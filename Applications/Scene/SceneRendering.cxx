@@ -65,8 +65,8 @@ void SceneRendering::AddLights()
   {
     this->Lights.push_back(MakeLight(description));
     lightsOn += description.On ? 1 : 0;
-    const bool fits = lightsOn <= MostLightsOfStockMapper ||
-      this->Scene.Renderer != RendererChoice::StockMapper;
+    const bool fits =
+      lightsOn <= MostLightsOfStockMapper || this->Scene.Renderer != RendererChoice::StockMapper;
     if (fits)
     {
       this->Renderer->AddLight(this->Lights.back());
@@ -75,8 +75,7 @@ void SceneRendering::AddLights()
   if (this->Scene.Renderer == RendererChoice::StockMapper && lightsOn > MostLightsOfStockMapper)
   {
     this->Warnings.push_back("the stock mapper takes " + std::to_string(MostLightsOfStockMapper) +
-      " lights; the other " + std::to_string(lightsOn - MostLightsOfStockMapper) +
-      " are left out");
+      " lights; the other " + std::to_string(lightsOn - MostLightsOfStockMapper) + " are left out");
   }
 }
 

@@ -16,8 +16,8 @@ namespace
 {
 using Path = std::vector<std::string>;
 
-// Defaults of the arrays that a path can enter, by the path with "*" for an index. They are those of
-// SceneDescription.
+// Defaults of the arrays that a path can enter, by the path with "*" for an index. They are those
+// of SceneDescription.
 const nlohmann::json& DefaultArrays()
 {
   static const nlohmann::json arrays = nlohmann::json::parse(R"({
@@ -75,7 +75,8 @@ std::string JoinPath(const Path& path, std::size_t length, bool generalizeIndice
 nlohmann::json ParseSettingValue(const std::string& text)
 {
   // A word never begins like this: what does is JSON with a mistake in it.
-  const bool looksLikeJson = !text.empty() && std::string("[{\"").find(text[0]) != std::string::npos;
+  const bool looksLikeJson =
+    !text.empty() && std::string("[{\"").find(text[0]) != std::string::npos;
   if (looksLikeJson || nlohmann::json::accept(text))
   {
     return ParseJson(text);

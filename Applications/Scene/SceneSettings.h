@@ -18,8 +18,8 @@ namespace penumbra
  * whole numbers are array indices, of which one past the end adds an entry. The value is JSON, or
  * else a bare word. Where the path enters an array that is absent, the array's default is what
  * changes: `lights.0.shadow=soft` lets the default headlight cast shadows.
- * @throw InputError where `setting` has no such form or the path does not fit the scene. Whether the
- * key exists in the format and takes the value is for ParseScene to say.
+ * @throw InputError where `setting` has no such form or the path does not fit the scene. Whether
+ * the key exists in the format and takes the value is for ParseScene to say.
  */
 void ApplySetting(nlohmann::json& scene, const std::string& setting);
 

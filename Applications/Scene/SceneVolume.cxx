@@ -58,8 +58,8 @@ void SetCropping(vtkVolumeMapper* mapper, const std::array<double, 6>& cropping)
   mapper->SetCroppingRegionPlanes(cropping.data());
 }
 
-void AddClippingPlanes(const SceneDescription& scene, vtkVolumeMapper* mapper,
-  std::vector<std::string>& warnings)
+void AddClippingPlanes(
+  const SceneDescription& scene, vtkVolumeMapper* mapper, std::vector<std::string>& warnings)
 {
   std::size_t count = scene.ClippingPlanes.size();
   if (scene.Renderer == RendererChoice::StockMapper && count > MostPlanesOfStockMapper)

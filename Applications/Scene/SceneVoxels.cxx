@@ -65,8 +65,8 @@ vtkSmartPointer<vtkImageData> ReadFileOfKey(const std::string& key,
   }
 }
 
-vtkSmartPointer<vtkImageData> ReadMask(const std::filesystem::path& file, vtkImageData* volume,
-  std::vector<std::string>& warnings)
+vtkSmartPointer<vtkImageData> ReadMask(
+  const std::filesystem::path& file, vtkImageData* volume, std::vector<std::string>& warnings)
 {
   RawVolumeGeometry raw;
   std::copy_n(volume->GetDimensions(), 3, raw.dimensions);

@@ -8,7 +8,7 @@ namespace penumbra
 {
 namespace
 {
-// Keeps the order of SCENE's documentation.
+// Keeps the order in which keys are added.
 using Json = nlohmann::ordered_json;
 
 std::string NameFrom(const std::filesystem::path& folder, const std::filesystem::path& file)
@@ -150,11 +150,11 @@ Json WriteCamera(const CameraDescription& camera)
   return json;
 }
 
-// Indented like SCENE's documentation: arrays of numbers on one line each.
+// Indented for people: arrays of numbers stand on one line each.
 void Print(const Json& json, const std::string& indentation, std::string& text)
 {
-  const bool isNested = json.is_object() ||
-    (json.is_array() && !json.empty() && json.front().is_structured());
+  const bool isNested =
+    json.is_object() || (json.is_array() && !json.empty() && json.front().is_structured());
   if (!isNested)
   {
     text += json.dump();

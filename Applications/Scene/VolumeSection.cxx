@@ -35,8 +35,8 @@ bool AreIndependent(const Vector3& x, const Vector3& y, const Vector3& z)
   return product > 0.0 && std::abs(Dot(x, Cross(y, z))) > SmallestIndependence * product;
 }
 
-void CheckTransform(const JsonObject& object, const std::array<double, 16>& m,
-  const nlohmann::json& value)
+void CheckTransform(
+  const JsonObject& object, const std::array<double, 16>& m, const nlohmann::json& value)
 {
   if (m[12] != 0.0 || m[13] != 0.0 || m[14] != 0.0 || m[15] != 1.0)
   {
@@ -48,8 +48,8 @@ void CheckTransform(const JsonObject& object, const std::array<double, 16>& m,
   }
 }
 
-void CheckCropping(const JsonObject& object, const std::array<double, 6>& cropping,
-  const nlohmann::json& value)
+void CheckCropping(
+  const JsonObject& object, const std::array<double, 6>& cropping, const nlohmann::json& value)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -68,8 +68,8 @@ std::filesystem::path ReadFile(
   object.Read(key, name);
   if (name.empty())
   {
-    throw InputError(object.PathOf(key) + " is " +
-      (object.Find(key) ? "empty" : "missing") + "; it names the file of a volume");
+    throw InputError(object.PathOf(key) + " is " + (object.Find(key) ? "empty" : "missing") +
+      "; it names the file of a volume");
   }
   const std::filesystem::path file = (folder / std::filesystem::u8path(name)).lexically_normal();
   std::error_code ignored;
@@ -118,7 +118,8 @@ void ReadRawGeometry(JsonObject& object, VolumeDescription& volume)
   }
 }
 
-// Other formats know their geometry: these keys may stand there, and hold whatever is of their type.
+// Other formats know their geometry: these keys may stand there, and hold whatever is of their
+// type.
 void IgnoreRawGeometry(JsonObject& object)
 {
   for (const char* key : { "dimensions", "spacing", "origin" })

@@ -1,6 +1,6 @@
-#include "RunProgram.h"
 #include "Catch.h"
 #include "ImageComparison.h"
+#include "RunProgram.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,8 +15,8 @@ using namespace penumbra;
 
 namespace
 {
-// 8x8x8 voxels, dense and white where x and y are large; seen from +z with y up, that is the picture's
-// upper right.
+// 8x8x8 voxels, dense and white where x and y are large; seen from +z with y up, that is the
+// picture's upper right.
 struct BrightCorner : TemporaryFolder
 {
   BrightCorner()
@@ -59,8 +59,8 @@ Picture ReadMha(const std::string& file)
   CHECK_THAT(header, Catch::Matchers::ContainsSubstring("ElementNumberOfChannels = 4\n"));
   CHECK_THAT(header, Catch::Matchers::ContainsSubstring("CompressedData = False\n"));
   Picture picture;
-  std::sscanf(header.c_str() + header.find("DimSize = "), "DimSize = %d %d", &picture.width,
-    &picture.height);
+  std::sscanf(
+    header.c_str() + header.find("DimSize = "), "DimSize = %d %d", &picture.width, &picture.height);
   picture.values.resize((bytes.size() - begin) / sizeof(float));
   std::memcpy(picture.values.data(), bytes.data() + begin, bytes.size() - begin);
   REQUIRE(picture.values.size() == static_cast<std::size_t>(picture.width) * picture.height * 4);
@@ -114,8 +114,8 @@ TEST_CASE("The same scene gives the same bytes, and so does the scene saved from
   const BrightCorner folder;
   const std::vector<std::string> lit = { "--set", "shade=true", "--set", "lights.0.shadow=soft",
     "--set", "lights.1.type=point", "--set", "camera={}" };
-  const auto render = [&](const std::string& scene, std::vector<std::string> arguments,
-                        const std::string& name)
+  const auto render =
+    [&](const std::string& scene, std::vector<std::string> arguments, const std::string& name)
   {
     arguments.insert(arguments.begin(), { scene, "--output", folder.PathOf(name) });
     const auto result = RunPenumbraRender(arguments);
@@ -139,8 +139,8 @@ TEST_CASE("A bare volume takes settings and has a picture of its own")
 {
   const BrightCorner folder;
   const auto result = RunPenumbraRender({ folder.PathOf("corner.raw"), "--set",
-    "volume.dimensions=[8,8,8]", "--set", "volume.scalarType=uint8", "--set",
-    "image.size=[64,64]", "--set", "lights.0.diffuse=[1,0,0]", "--output", folder.PathOf("p.mha") });
+    "volume.dimensions=[8,8,8]", "--set", "volume.scalarType=uint8", "--set", "image.size=[64,64]",
+    "--set", "lights.0.diffuse=[1,0,0]", "--output", folder.PathOf("p.mha") });
   INFO(result.error);
   REQUIRE(result.exitStatus == 0);
   const Picture picture = ReadMha(folder.PathOf("p.mha"));
@@ -162,11 +162,13 @@ TEST_CASE("Bad input and usage end with status 2, one line, and nothing written"
     { {}, "no scene" },
     { { scene, "--bogus" }, "--bogus" },
     { { scene, "second.json" }, "second.json" },
-    { { scene, "--output", folder.PathOf("a.png"), "--output", folder.PathOf("b.png") }, "--output" },
+    { { scene, "--output", folder.PathOf("a.png"), "--output", folder.PathOf("b.png") },
+      "--output" },
     { { scene, "--output", folder.PathOf("a.jpg") }, ".png or .mha" },
     { { scene, "--output", folder.PathOf("none/a.png") }, "folder" },
     { { scene, "--report", folder.PathOf("none/r.json") }, "--report" },
-    { { scene, "--output", folder.PathOf("a.png"), "--report", folder.PathOf("a.png") }, "already" },
+    { { scene, "--output", folder.PathOf("a.png"), "--report", folder.PathOf("a.png") },
+      "already" },
     { { scene, "--output", folder.PathOf("a.png"), "--set", "lights.0.shadow=sofft" },
       "lights.0.shadow" },
     { { scene, "--output", folder.PathOf("a.png"), "--set", "volume.dimensions=[8,8,9]" },
@@ -256,9 +258,9 @@ TEST_CASE("The report has every documented key, and explaining tells the require
 TEST_CASE("What the stock mapper leaves out is told once, on stderr and in the report")
 {
   const BrightCorner folder;
-  const auto result = RunPenumbraRender({ folder.Scene, "--set", "renderer=vtk", "--set",
-    "lights=[{},{},{},{},{},{},{}]", "--set", "shade=true", "--frames", "2", "--report",
-    folder.PathOf("r.json") });
+  const auto result = RunPenumbraRender(
+    { folder.Scene, "--set", "renderer=vtk", "--set", "lights=[{},{},{},{},{},{},{}]", "--set",
+      "shade=true", "--frames", "2", "--report", folder.PathOf("r.json") });
   CHECK(result.exitStatus == 0);
   CHECK(IsOneLine(result.error));
   CHECK(result.error.rfind("warning: ", 0) == 0);
@@ -271,15 +273,14 @@ TEST_CASE("What happens to the voxels is told once, on stderr and in the report"
   const TemporaryFolder folder;
   std::vector<float> voxels = { 0, 1, 2, std::nanf(""), 4, 5, 6, 7 };
   folder.Write("v.raw", std::string(reinterpret_cast<const char*>(voxels.data()), 32));
-  const auto result = RunPenumbraRender({ folder.PathOf("v.raw"), "--set",
-    "volume.dimensions=[2,2,2]", "--set", "volume.scalarType=float32", "--frames", "2", "--report",
-    folder.PathOf("r.json") });
+  const auto result =
+    RunPenumbraRender({ folder.PathOf("v.raw"), "--set", "volume.dimensions=[2,2,2]", "--set",
+      "volume.scalarType=float32", "--frames", "2", "--report", folder.PathOf("r.json") });
   CHECK(result.exitStatus == 0);
   CHECK(IsOneLine(result.error));
   const auto report = nlohmann::json::parse(ReadAll(folder.PathOf("r.json")));
   REQUIRE(report["warnings"].size() == 1);
-  CHECK_THAT(
-    report["warnings"][0].get<std::string>(), Catch::Matchers::ContainsSubstring("NaN"));
+  CHECK_THAT(report["warnings"][0].get<std::string>(), Catch::Matchers::ContainsSubstring("NaN"));
   CHECK(report["volume"]["range"] == std::vector<double>{ 0.0, 7.0 });
 }
 

@@ -40,7 +40,8 @@ struct ChangingScene
     SceneDescription scene = ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd" },
       "transferFunction": { "opacity": [[0,0],[100,1]] },
       "camera": { "position": [0,0,10], "focalPoint": [0,0,0], "viewUp": [0,1,0] },
-      "lights": [)" + lights + "] }"), "");
+      "lights": [)" + lights + "] }"),
+      "");
     ResolveScene(scene, this->Volume);
     return scene;
   }

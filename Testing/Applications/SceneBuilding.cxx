@@ -63,7 +63,8 @@ TEST_CASE("The material, the gradient opacity and the shading reach the property
   const auto volume = MakeBall({}, 9.0, 2.0);
   const auto property = MakeVolumeProperty(Resolve(R"(, "shade": false, "material": {
     "ambient": 0.3, "diffuse": 0.4, "specular": 0.5, "specularPower": 60 },
-    "transferFunction": { "gradientOpacity": [[0,0],[8,1]] })", volume));
+    "transferFunction": { "gradientOpacity": [[0,0],[8,1]] })",
+    volume));
   CHECK(property->GetShade() == 0);
   CHECK(property->GetAmbient() == 0.3);
   CHECK(property->GetDiffuse() == 0.4);
@@ -80,7 +81,8 @@ TEST_CASE("Both mappers get the steps, the cropping and the clipping planes of t
   const auto renderer = GENERATE(values<std::string>({ "penumbra", "vtk" }));
   SceneDescription scene = Resolve(R"(, "renderer": ")" + renderer + R"(",
     "sampleDistance": 0.25, "shadows": { "sampleDistance": 0.75 },
-    "clippingPlanes": [{ "origin": [1,2,3], "normal": [0,0,-4] }, {}])", volume);
+    "clippingPlanes": [{ "origin": [1,2,3], "normal": [0,0,-4] }, {}])",
+    volume);
   scene.Volume.Cropping = { 1.0, 2.0, 3.0, 4.0, 5.0, 6.0 };
   std::vector<std::string> warnings;
   const auto mapper = MakeMapper(scene, { volume, nullptr }, warnings);
@@ -106,8 +108,8 @@ TEST_CASE("Both mappers get the steps, the cropping and the clipping planes of t
 TEST_CASE("The stock mapper gets no more clipping planes than it can hold, and the scene says so")
 {
   const auto volume = MakeBall({}, 9.0, 2.0);
-  const SceneDescription scene = Resolve(
-    R"(, "renderer": "vtk", "clippingPlanes": [{},{},{},{},{},{},{},{},{},{}])", volume);
+  const SceneDescription scene =
+    Resolve(R"(, "renderer": "vtk", "clippingPlanes": [{},{},{},{},{},{},{},{},{},{}])", volume);
   std::vector<std::string> warnings;
   const auto mapper = MakeMapper(scene, { volume, nullptr }, warnings);
   CHECK(mapper->GetClippingPlanes()->GetNumberOfItems() == 8);
@@ -118,8 +120,8 @@ TEST_CASE("The stock mapper gets no more clipping planes than it can hold, and t
 TEST_CASE("The transform, the background and the sides reach the renderer")
 {
   const auto volume = MakeBall({}, 9.0, 2.0);
-  SceneDescription scene = Resolve(
-    R"(, "twoSidedLighting": false, "image": { "background": [0.1,0.2,0.3] })", volume);
+  SceneDescription scene =
+    Resolve(R"(, "twoSidedLighting": false, "image": { "background": [0.1,0.2,0.3] })", volume);
   scene.Volume.Transform[3] = 7.0;
   const SceneRendering rendering(scene, { volume, nullptr });
   CHECK(rendering.GetVolume()->GetUserMatrix()->GetElement(0, 3) == 7.0);
@@ -147,8 +149,7 @@ TEST_CASE("A mask hides where it is 0, and lies where the volume lies")
   CHECK(shown->GetComponent(0, 0) == 0.0);
   CHECK(shown->GetComponent(1, 0) > 0.0);
   CHECK(voxels.Mask->GetSpacing()[2] == 5.0);
-  const auto mapper =
-    MakeMapper(Resolve("", voxels.Volume), voxels, warnings);
+  const auto mapper = MakeMapper(Resolve("", voxels.Volume), voxels, warnings);
   CHECK(mapper->GetMaskInput() == voxels.Mask);
   CHECK(mapper->GetMaskType() == vtkGPUVolumeRayCastMapper::BinaryMaskType);
 }
@@ -157,7 +158,8 @@ TEST_CASE("The chosen transfer function hides the background and shows the objec
 {
   // Background 5 to 45, object 160 to 200.
   const VolumeGrid grid;
-  const auto volume = SampleField(grid, [&](const Point& p)
+  const auto volume = SampleField(grid,
+    [&](const Point& p)
     {
       const double waves = 20.0 * std::sin(p[0]) * std::cos(0.7 * p[1]);
       return (p[2] > grid.Center()[2] + 6.0 ? 180.0 : 25.0) + waves;

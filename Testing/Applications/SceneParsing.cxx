@@ -14,8 +14,7 @@ namespace
 {
 SceneDescription Parse(const std::string& members)
 {
-  return ParseScene(
-    ParseJson(R"({ "volume": { "file": "v.mhd" })" + members + "}"), "/folder");
+  return ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd" })" + members + "}"), "/folder");
 }
 
 std::string MessageOf(const std::string& members)
@@ -115,7 +114,9 @@ TEST_CASE("A .raw file's geometry is read")
 {
   const VolumeDescription volume = ParseScene(ParseJson(R"({ "volume": { "file": "../V.RAW",
     "dimensions": [2, 3, 4], "scalarType": "int16", "spacing": [1, 2, 3], "byteOrder": "big",
-    "direction": [-1,0,0, 0,1,0, 0,0,1], "headerBytes": 62 } })"), "/a/b").Volume;
+    "direction": [-1,0,0, 0,1,0, 0,0,1], "headerBytes": 62 } })"),
+    "/a/b")
+                                     .Volume;
   CHECK(volume.File == std::filesystem::path("/a/V.RAW"));
   CHECK(*volume.Dimensions == std::array<int, 3>{ 2, 3, 4 });
   CHECK(*volume.ScalarType == VTK_SHORT);
@@ -131,7 +132,8 @@ TEST_CASE("What a light or format does not use is ignored")
   CHECK_NOTHROW(Parse(R"(, "lights": [{ "type": "directional", "coneAngle": 720 }])"));
   CHECK_NOTHROW(Parse(R"(, "material": { "roughness": -1 })"));
   CHECK_NOTHROW(ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd", "spacing": [0,0,0],
-    "dimensions": [0,0,0], "scalarType": "?", "series": "1.2" } })"), ""));
+    "dimensions": [0,0,0], "scalarType": "?", "series": "1.2" } })"),
+    ""));
   CHECK_THROWS_AS(
     ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd", "spacing": 1 } })"), ""), InputError);
 }
@@ -147,41 +149,48 @@ TEST_CASE("An error names the key, the value and what is accepted")
   };
   const auto mistake = GENERATE(values<Mistake>({
     { R"(, "shaed": true)", "shaed", "true", "shade" },
-    { R"(, "lights": [{}, { "shadow": "sofft" }])", "lights.1.shadow", "sofft", "none, soft, hard" },
+    { R"(, "lights": [{}, { "shadow": "sofft" }])", "lights.1.shadow", "sofft",
+      "none, soft, hard" },
     { R"(, "lights": [{ "shaddow": 1 }])", "lights.0.shaddow", "1", "shadow" },
     { R"(, "lights": {})", "lights", "{}", "array" },
     { R"(, "lights": [7])", "lights.0", "7", "object" },
     { R"(, "lights": [{ "direction": [0,0,0] }])", "lights.0.direction", "[0,0,0]", "zero" },
     { R"(, "lights": [{ "diffuse": [1,-1,1] }])", "lights.0.diffuse", "-1", "at least 0" },
     { R"(, "lights": [{ "type": "spot", "coneAngle": 181 }])", "lights.0.coneAngle", "181", "180" },
-    { R"(, "lights": [{ "opacityThreshold": 1.5 }])", "lights.0.opacityThreshold", "1.5", "0 to 1" },
+    { R"(, "lights": [{ "opacityThreshold": 1.5 }])", "lights.0.opacityThreshold", "1.5",
+      "0 to 1" },
     { R"(, "lights": [{ "shadowBias": -1 }])", "lights.0.shadowBias", "-1", "at least 0" },
     { R"(, "lights": [{ "on": "yes" }])", "lights.0.on", "yes", "true, false" },
     { R"(, "lights": [{ "name": 5 }])", "lights.0.name", "5", "string" },
     { R"(, "material": { "ambient": 1.01 })", "material.ambient", "1.01", "0 to 1" },
-    { R"(, "material": { "specularPower": -0.5 })", "material.specularPower", "-0.5", "at least 0" },
+    { R"(, "material": { "specularPower": -0.5 })", "material.specularPower", "-0.5",
+      "at least 0" },
     { R"(, "sampleDistance": 0)", "sampleDistance", "0", "from 1e-30" },
     { R"(, "sampleDistance": "NaN")", "sampleDistance", "NaN", "number" },
     { R"(, "sampleDistance": null)", "sampleDistance", "null", "number" },
     { R"(, "shadows": { "sampleDistance": -2 })", "shadows.sampleDistance", "-2", "from 1e-30" },
-    { R"(, "transferFunction": { "opacity": [] })", "transferFunction.opacity", "[]", "one or more" },
-    { R"(, "transferFunction": { "opacity": [[0,1.5]] })", "transferFunction.opacity", "1.5", "0 to 1" },
-    { R"(, "transferFunction": { "color": [[0,1,1]] })", "transferFunction.color", "[[0,1,1]]", "red" },
-    { R"(, "transferFunction": { "opacityUnitDistance": 0 })", "transferFunction.opacityUnitDistance",
-      "0", "more than 0" },
+    { R"(, "transferFunction": { "opacity": [] })", "transferFunction.opacity", "[]",
+      "one or more" },
+    { R"(, "transferFunction": { "opacity": [[0,1.5]] })", "transferFunction.opacity", "1.5",
+      "0 to 1" },
+    { R"(, "transferFunction": { "color": [[0,1,1]] })", "transferFunction.color", "[[0,1,1]]",
+      "red" },
+    { R"(, "transferFunction": { "opacityUnitDistance": 0 })",
+      "transferFunction.opacityUnitDistance", "0", "more than 0" },
     { R"(, "image": { "size": [0, 5] })", "image.size", "[0,5]", "16384" },
     { R"(, "image": { "size": [512.5, 5] })", "image.size", "512.5", "whole" },
     { R"(, "image": { "size": [100000, 100000] })", "image.size", "100000", "16384" },
     { R"(, "image": { "size": [512] })", "image.size", "[512]", "array of 2" },
     { R"(, "image": { "background": [0,0,2] })", "image.background", "2", "0 to 1" },
-    { R"(, "camera": { "position": [1,2,3], "focalPoint": [1,2,3] })", "camera.position", "[1.0,2.0,3.0]",
-      "different" },
+    { R"(, "camera": { "position": [1,2,3], "focalPoint": [1,2,3] })", "camera.position",
+      "[1.0,2.0,3.0]", "different" },
     { R"(, "camera": { "viewUp": [0,0,0] })", "camera.viewUp", "[0.0,0.0,0.0]", "zero" },
     { R"(, "camera": { "position": [0,0,5], "focalPoint": [0,0,0], "viewUp": [0,0,1] })",
       "camera.viewUp", "[0.0,0.0,1.0]", "across" },
     { R"(, "camera": { "viewAngle": 180 })", "camera.viewAngle", "180", "less than 180" },
     { R"(, "camera": { "parallelScale": 0 })", "camera.parallelScale", "0", "more than 0" },
-    { R"(, "clippingPlanes": [{}, { "normal": [0,0,0] }])", "clippingPlanes.1.normal", "[0,0,0]", "zero" },
+    { R"(, "clippingPlanes": [{}, { "normal": [0,0,0] }])", "clippingPlanes.1.normal", "[0,0,0]",
+      "zero" },
     { R"(, "renderer": "cpu")", "renderer", "cpu", "penumbra, vtk" },
     { R"(, "skipEmptySpace": 1)", "skipEmptySpace", "1", "true, false" },
   }));

@@ -65,7 +65,8 @@ TEST_CASE("A light of the camera's frame is placed from the eye, in lengths of t
   const SceneDescription scene = Resolve(oblique + R"(, "lights": [
     { "type": "point", "frame": "camera", "position": [1,2,3] },
     { "type": "directional", "frame": "camera", "direction": [0,0,-4] },
-    { "type": "spot", "frame": "camera", "position": [0,0,-7], "direction": [2,0,0] }])", volume);
+    { "type": "spot", "frame": "camera", "position": [0,0,-7], "direction": [2,0,0] }])",
+    volume);
   SceneRendering rendering(scene, { volume, nullptr });
   PrepareFrame(rendering);
   const auto& lights = rendering.GetLights();
@@ -84,7 +85,8 @@ TEST_CASE("A light of the camera's frame follows the camera, and one of the scen
   const auto volume = MakeVolume();
   const SceneDescription scene = Resolve(oblique + R"(, "lights": [
     { "type": "point", "frame": "camera", "position": [1,2,3] },
-    { "type": "point", "position": [1,2,3] }])", volume);
+    { "type": "point", "position": [1,2,3] }])",
+    volume);
   SceneRendering rendering(scene, { volume, nullptr });
   vtkCamera* camera = rendering.GetRenderer()->GetActiveCamera();
   camera->SetPosition(0.0, -5.0, 0.0); // right +x, up +z, towards the viewer -y
@@ -103,7 +105,8 @@ TEST_CASE("Lights have the kinds that they are described with")
   const auto volume = MakeVolume();
   const SceneDescription scene = Resolve(R"(, "lights": [{ "direction": [0,-2,0] },
     { "type": "point", "attenuation": [1,2,3] }, { "type": "spot", "coneAngle": 20, "exponent": 3 },
-    { "type": "headlight", "shadow": "hard", "opacityThreshold": 0.5, "on": false }])", volume);
+    { "type": "headlight", "shadow": "hard", "opacityThreshold": 0.5, "on": false }])",
+    volume);
   const SceneRendering rendering(scene, { volume, nullptr });
   const auto& lights = rendering.GetLights();
   CHECK(GetLightKind(lights[0]) == LightKind::Directional);
@@ -123,8 +126,8 @@ TEST_CASE("Lights have the kinds that they are described with")
 TEST_CASE("The stock mapper gets no more lights than it can hold, and the scene says so")
 {
   const auto volume = MakeVolume();
-  const SceneDescription scene =
-    Resolve(R"(, "renderer": "vtk", "lights": [{ "on": false }, {}, {}, {}, {}, {}, {}, {}])", volume);
+  const SceneDescription scene = Resolve(
+    R"(, "renderer": "vtk", "lights": [{ "on": false }, {}, {}, {}, {}, {}, {}, {}])", volume);
   const SceneRendering rendering(scene, { volume, nullptr });
   CHECK(rendering.GetRenderer()->GetLights()->GetNumberOfItems() == 7);
   REQUIRE(rendering.GetWarnings().size() == 1);
@@ -143,8 +146,9 @@ TEST_CASE("By default the whole volume is in the picture and fills it")
   const double aspect = static_cast<double>(scene.Image.Size[0]) / scene.Image.Size[1];
   SceneRendering rendering(scene, { volume, nullptr });
   PrepareFrame(rendering);
-  vtkMatrix4x4* toPicture = rendering.GetRenderer()->GetActiveCamera()
-    ->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  vtkMatrix4x4* toPicture =
+    rendering.GetRenderer()->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      aspect, -1.0, 1.0);
   double largest = 0.0;
   const VolumeBox box(volume, scene.Volume.Transform);
   for (const Vector3& corner : box.GetCorners())

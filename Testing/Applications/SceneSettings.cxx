@@ -1,8 +1,8 @@
 #include "SceneSettings.h"
 
+#include "Catch.h"
 #include "InputError.h"
 #include "SceneFile.h"
-#include "Catch.h"
 
 #include <nlohmann/json.hpp>
 
@@ -63,8 +63,8 @@ TEST_CASE("A setting within an absent array changes its default")
 
 TEST_CASE("A setting that fits no scene is refused")
 {
-  const auto setting = GENERATE(
-    values<std::string>({ "shade", "=1", ".a=1", "a..b=1", "a.=1", "", "renderer.x=1" }));
+  const auto setting =
+    GENERATE(values<std::string>({ "shade", "=1", ".a=1", "a..b=1", "a.=1", "", "renderer.x=1" }));
   CHECK_THROWS_WITH(
     Set(R"({ "renderer": "vtk" })", setting), Catch::Matchers::ContainsSubstring(setting));
 }

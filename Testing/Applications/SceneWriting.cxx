@@ -45,8 +45,8 @@ const std::string everything = R"({ "volume": { "file": "sub/v.raw", "dimensions
 
 TEST_CASE("A saved scene says the same as the scene it was saved from")
 {
-  const auto text = GENERATE(values<std::string>(
-    { everything, R"({ "volume": { "file": "v.mhd" } })" }));
+  const auto text =
+    GENERATE(values<std::string>({ everything, R"({ "volume": { "file": "v.mhd" } })" }));
   const SceneDescription scene = Resolved(text, "/a");
   const std::string saved = WriteScene(scene, "/a");
   CHECK(WriteScene(Resolved(saved, "/a"), "/a") == saved);
