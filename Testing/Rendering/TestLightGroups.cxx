@@ -20,7 +20,7 @@ constexpr int Groups = NumberOfLightKinds * NumberOfShadowKinds;
 void AddLights(IlluminatedScene& scene, int count)
 {
   scene.Renderer->RemoveAllLights();
-  for (int group = 0; group < Groups; ++group)
+  for (int group = Groups - 1; group >= 0; --group)
   {
     for (int i = 0; i < count; ++i)
     {
@@ -41,10 +41,11 @@ void AddLights(IlluminatedScene& scene, int count)
 
 void SwitchGroup(IlluminatedScene& scene, int group, int count, bool on)
 {
+  vtkLightCollection* lights = scene.Renderer->GetLights();
   for (int i = 0; i < count; ++i)
   {
-    vtkLight::SafeDownCast(scene.Renderer->GetLights()->GetItemAsObject(group * count + i))
-      ->SetSwitch(on);
+    const int index = (Groups - 1 - group) * count + i;
+    vtkLight::SafeDownCast(lights->GetItemAsObject(index))->SetSwitch(on);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "Catch.h"
 #include "TransferFunctionLookup.h"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -108,6 +109,25 @@ TEST_CASE("A gradient opacity table covers its points and keeps their values bey
   CHECK(table.Opacity.front() == 0.25f);
   CHECK(table.Opacity[200] == Approx(0.5));
   CHECK(table.Opacity.back() == Approx(0.75));
+}
+
+TEST_CASE("A gradient opacity that stays at 1 from a small gradient on keeps the ramp before")
+{
+  vtkNew<vtkPiecewiseFunction> function;
+  function->AddPoint(0.0, 0.0);
+  function->AddPoint(10.0, 1.0);
+  function->AddPoint(65535.0, 1.0);
+  const GradientOpacityTable table = MakeGradientOpacityTable(function, 4096);
+  for (const double gradient : { 0.0, 2.5, 5.0, 10.0, 5000.0, 1e6 })
+  {
+    const double position = (gradient - table.Low) / (table.High - table.Low) * 4095.0;
+    const double entry = std::clamp(position, 0.0, 4095.0);
+    const auto low = static_cast<size_t>(std::min(entry, 4094.0));
+    const double fraction = entry - static_cast<double>(low);
+    const double found = (1.0 - fraction) * table.Opacity[low] + fraction * table.Opacity[low + 1];
+    // Half a grey level.
+    CHECK(found == Approx(function->GetValue(gradient)).margin(0.002));
+  }
 }
 
 TEST_CASE("A gradient opacity function of one value, or of none, is a table of it")
