@@ -1,7 +1,6 @@
 #include "FileContent.h"
 
-#include "ByteStream.h"
-#include "HeaderText.h"
+#include "FileBytes.h"
 #include "VolumeReadingError.h"
 
 #include <string>
@@ -41,8 +40,7 @@ FileContent ContentOf(const std::filesystem::path& path)
   {
     throw VolumeReadingError("the file is empty");
   }
-  std::string bytes(352, '\0');
-  bytes.resize(OpenBytes(path, 0, false)->Read(bytes.data(), bytes.size()));
+  const std::string bytes = ReadBytes(path, 0, 352);
   if (Holds(bytes, 0, "\x1f\x8b"))
   {
     return FileContent::Gzip;

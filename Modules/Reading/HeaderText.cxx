@@ -1,8 +1,9 @@
 #include "HeaderText.h"
 
-#include "ByteStream.h"
+#include "FileBytes.h"
 #include "VolumeReadingError.h"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <locale>
@@ -32,9 +33,8 @@ std::vector<std::string> CountedWords(
 }
 
 HeaderLines::HeaderLines(const std::filesystem::path& path)
-  : Text(LargestHeader, '\0')
+  : Text(ReadBytes(path, 0, LargestHeader))
 {
-  this->Text.resize(OpenBytes(path, 0, false)->Read(this->Text.data(), LargestHeader));
 }
 
 bool HeaderLines::Next(std::string& line)

@@ -1,9 +1,14 @@
 #include "FormatReaders.h"
 #include "HeaderText.h"
+#include "MetaImageHeader.h"
+#include "ReaderErrors.h"
 #include "SplitFiles.h"
 #include "VolumeGeometry.h"
 #include "VoxelData.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMetaImageReader.h"
+#include "vtkNew.h"
 
 #include <algorithm>
 #include <map>
@@ -14,133 +19,7 @@ namespace penumbra
 namespace
 {
 
-struct Header
-{
-  std::map<std::string, std::string> fields;
-  /// What follows ElementDataFile: where that is LIST, the names of the files.
-  std::vector<std::string> listedFiles;
-  /// Bytes up to the end of the line ElementDataFile.
-  std::uint64_t size = 0;
-  std::size_t numberOfAxes = 0;
-
-  /// The value of the first of these names that the header has.
-  std::optional<std::string> Value(const std::vector<std::string>& names) const
-  {
-    for (const std::string& name : names)
-    {
-      const auto field = this->fields.find(name);
-      if (field != this->fields.end())
-      {
-        return field->second;
-      }
-    }
-    return std::nullopt;
-  }
-
-  std::string Needed(const std::string& name) const
-  {
-    const auto value = this->Value({ name });
-    if (!value)
-    {
-      throw VolumeReadingError("its header lacks " + name);
-    }
-    return *value;
-  }
-
-  bool IsTrue(const std::vector<std::string>& names) const
-  {
-    const std::string value = this->Value(names).value_or("");
-    return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
-  }
-
-  std::vector<double> Numbers(
-    const std::vector<std::string>& names, const std::vector<double>& otherwise) const
-  {
-    const auto value = this->Value(names);
-    return value ? ToNumbers(*value, otherwise.size(), names.front()) : otherwise;
-  }
-};
-
-void ReadListedFiles(HeaderLines& lines, Header& header)
-{
-  std::string line;
-  while (lines.Next(line))
-  {
-    if (!Trimmed(line).empty())
-    {
-      header.listedFiles.push_back(Trimmed(line));
-    }
-  }
-}
-
-Header ReadHeader(const std::filesystem::path& path)
-{
-  Header header;
-  HeaderLines lines(path);
-  std::string line;
-  // ElementDataFile is the last field: voxels may follow it in the same file.
-  while (header.fields.count("ElementDataFile") == 0)
-  {
-    if (!lines.Next(line))
-    {
-      throw VolumeReadingError("its header ends without ElementDataFile; the file is cut short or "
-                               "not a MetaImage");
-    }
-    const std::size_t separator = line.find_first_of("=:");
-    if (separator != std::string::npos)
-    {
-      header.fields[Trimmed(line.substr(0, separator))] = Trimmed(line.substr(separator + 1));
-    }
-  }
-  header.size = lines.Position();
-  if (header.fields["ElementDataFile"].compare(0, 4, "LIST") == 0)
-  {
-    ReadListedFiles(lines, header);
-  }
-  const std::int64_t axes = ToInteger(header.Needed("NDims"), "NDims");
-  if (axes != 2 && axes != 3)
-  {
-    throw VolumeReadingError("NDims is " + std::to_string(axes) + "; 2 or 3 is needed");
-  }
-  header.numberOfAxes = static_cast<std::size_t>(axes);
-  return header;
-}
-
-VolumeGeometry GeometryOf(const Header& header)
-{
-  const std::size_t axes = header.numberOfAxes;
-  VolumeGeometry geometry;
-  const auto sizes = ToIntegers(header.Needed("DimSize"), axes, "DimSize");
-  std::copy(sizes.begin(), sizes.end(), geometry.dimensions.begin());
-
-  const auto spacing =
-    header.Numbers({ "ElementSpacing", "ElementSize" }, std::vector<double>(axes, 1.0));
-  const auto origin =
-    header.Numbers({ "Offset", "Position", "Origin" }, std::vector<double>(axes, 0.0));
-  std::copy(spacing.begin(), spacing.end(), geometry.spacing.begin());
-  std::copy(origin.begin(), origin.end(), geometry.origin.begin());
-  CheckGeometry(geometry);
-
-  std::vector<double> identity(axes * axes, 0.0);
-  for (std::size_t axis = 0; axis < axes; ++axis)
-  {
-    identity[axis * axes + axis] = 1.0;
-  }
-  const auto directions =
-    header.Numbers({ "TransformMatrix", "Rotation", "Orientation" }, identity);
-  std::array<Vector3, 3> steps{ { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 1 } } };
-  for (std::size_t axis = 0; axis < axes; ++axis)
-  {
-    for (std::size_t i = 0; i < axes; ++i)
-    {
-      steps[axis][i] = geometry.spacing[axis] * directions[axis * axes + i];
-    }
-  }
-  SetSteps(geometry, steps);
-  return geometry;
-}
-
-int ScalarTypeOf(const Header& header)
+int ScalarTypeOf(const MetaImageHeader& header)
 {
   // MetaImage's LONG has four bytes whatever the machine's long has.
   static const std::map<std::string, int> types = { { "MET_CHAR", VTK_SIGNED_CHAR },
@@ -165,7 +44,8 @@ int ScalarTypeOf(const Header& header)
   return type->second;
 }
 
-std::vector<std::filesystem::path> FilesOf(const std::filesystem::path& path, const Header& header)
+std::vector<std::filesystem::path> FilesOf(
+  const std::filesystem::path& path, const MetaImageHeader& header)
 {
   const std::string value = header.Needed("ElementDataFile");
   const std::vector<std::string> words = Words(value);
@@ -173,7 +53,7 @@ std::vector<std::filesystem::path> FilesOf(const std::filesystem::path& path, co
   {
     throw VolumeReadingError("ElementDataFile is empty; LOCAL or the name of a file is needed");
   }
-  if (LowerCase(value) == "local")
+  if (header.IsLocal())
   {
     return { path };
   }
@@ -193,31 +73,85 @@ std::vector<std::filesystem::path> FilesOf(const std::filesystem::path& path, co
     path, ExpandPattern(words[0], number(1, "1"), number(2, slices), number(3, "1")));
 }
 
-void SetOffset(const Header& header, VoxelData& data)
+void SetOffset(const MetaImageHeader& header, VoxelData& data)
 {
   const std::int64_t headerSize =
     ToInteger(header.Value({ "HeaderSize" }).value_or("0"), "HeaderSize");
-  const bool isLocal = LowerCase(header.Needed("ElementDataFile")) == "local";
-  if (isLocal)
+  if (header.IsLocal())
   {
     data.offset = header.size;
   }
-  else if (headerSize >= 0)
-  {
-    data.offset = static_cast<std::uint64_t>(headerSize);
-  }
-  else if (headerSize == -1 && data.encoding == VoxelEncoding::Raw)
+  else if (headerSize == -1 && !data.compression)
   {
     data.offset = std::nullopt;
   }
-  else
+  else if (headerSize < 0)
   {
     throw VolumeReadingError("HeaderSize is " + std::to_string(headerSize) +
-      "; 0 or more is needed, or -1 where the data is neither compressed nor text");
+      "; 0 or more is needed, or -1 where the data is not compressed");
+  }
+  else
+  {
+    data.offset = static_cast<std::uint64_t>(headerSize);
   }
 }
 
-void AddWarnings(const Header& header, Warnings& warnings)
+bool IsForMetaIO(const std::string& line)
+{
+  constexpr std::size_t longest = 250;
+  const auto isControl = [](char letter)
+  { return static_cast<unsigned char>(letter) < ' ' && letter != '\t'; };
+  const bool isPlain = std::none_of(line.begin(), line.end(), isControl);
+  return line.size() <= longest && isPlain && line.find_first_of("=:") != std::string::npos;
+}
+
+// MetaIO, which vtkMetaImageReader reads by, writes beyond its buffers where a line is too long,
+// reports other lines than "Key = value" to stderr, and needs the size of the compressed data.
+void CheckForMetaIO(const MetaImageHeader& header, const VoxelData& data)
+{
+  for (const std::string& line : header.lines)
+  {
+    if (!IsForMetaIO(line))
+    {
+      throw VolumeReadingError("where the data is compressed, a line of its header must be a key, "
+                               "= and a value in at most 250 bytes, but one is \"" +
+        line.substr(0, 40) + (line.size() > 40 ? "...\"" : "\""));
+    }
+  }
+  const std::string type = header.Needed("ElementType");
+  const std::string file = header.Needed("ElementDataFile");
+  if (!header.listedFiles.empty() || file.find('%') != std::string::npos ||
+    type.find("LONG") != std::string::npos)
+  {
+    throw VolumeReadingError("its data is compressed, of type " + type + " and in \"" + file +
+      "\"; where compressed, one named file of a type without LONG is needed");
+  }
+  if (header.IsLocal() && header.Numbers({ "HeaderSize" }, { 0.0 })[0] != 0.0)
+  {
+    throw VolumeReadingError("HeaderSize is " + header.Needed("HeaderSize") +
+      "; 0 is needed where compressed data follows the header");
+  }
+  for (const char* name : { "ID", "ParentID", "ElementMin", "ElementMax", "ElementNBits" })
+  {
+    header.Numbers({ name }, { 0.0 });
+  }
+  header.Numbers({ "Color" }, { 1.0, 1.0, 1.0, 1.0 });
+  const std::uint64_t present = SizeOfFile(data.files.front()) - *data.offset;
+  const auto stated = header.Value({ "CompressedDataSize" });
+  const bool isNeeded = *data.offset > 0;
+  if (isNeeded && !stated)
+  {
+    throw VolumeReadingError(
+      "its header lacks CompressedDataSize, which would be " + std::to_string(present));
+  }
+  if (stated && ToInteger(*stated, "CompressedDataSize") != static_cast<std::int64_t>(present))
+  {
+    throw VolumeReadingError("CompressedDataSize is " + *stated + ", but its compressed data has " +
+      std::to_string(present) + " bytes");
+  }
+}
+
+void AddWarnings(const MetaImageHeader& header, Warnings& warnings)
 {
   for (const double center :
     header.Numbers({ "CenterOfRotation" }, std::vector<double>(header.numberOfAxes, 0.0)))
@@ -241,23 +175,33 @@ void AddWarnings(const Header& header, Warnings& warnings)
 
 Volume ReadMetaImageVolume(const std::filesystem::path& path, Warnings& warnings)
 {
-  const Header header = ReadHeader(path);
-  const VolumeGeometry geometry = GeometryOf(header);
+  const MetaImageHeader header = ReadMetaImageHeader(path);
+  const VolumeGeometry geometry = MetaImageGeometry(header);
   VoxelData data;
   data.scalarType = ScalarTypeOf(header);
   data.files = FilesOf(path, header);
   data.bigEndian = header.IsTrue({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" });
   if (header.Value({ "BinaryData" }) && !header.IsTrue({ "BinaryData" }))
   {
-    data.encoding = VoxelEncoding::Text;
+    throw VolumeReadingError("its voxels are text (BinaryData is not True); binary data is needed");
   }
-  else if (header.IsTrue({ "CompressedData" }))
+  if (header.IsTrue({ "CompressedData" }))
   {
-    data.encoding = VoxelEncoding::Compressed;
+    data.compression = CompressedFormat::ZlibOrGzip;
   }
   SetOffset(header, data);
+  CheckVoxelData(geometry, data);
   AddWarnings(header, warnings);
-  return ReadVoxels(geometry, data, warnings);
+  if (!data.compression)
+  {
+    // What vtkMetaImageReader itself is based on, and without the limits of MetaIO.
+    return FinishedVolume(geometry, ReadUncompressed(geometry, data), warnings);
+  }
+  CheckForMetaIO(header, data);
+  ReaderErrors errors;
+  vtkNew<vtkMetaImageReader> reader;
+  reader->SetFileName(path.u8string().c_str());
+  return FinishedVolume(geometry, RunReader(reader, errors, geometry, data.scalarType), warnings);
 }
 
 }

@@ -1,10 +1,17 @@
 #include "NiftiHeader.h"
 
-#include "ByteStream.h"
 #include "VolumeReadingError.h"
+#include "vtkByteSwap.h"
+#include "vtkDataArray.h"
+#include "vtkType.h"
+#include "vtk_zlib.h"
 
-#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <map>
+#include <memory>
 #include <string>
 
 namespace penumbra
@@ -13,148 +20,98 @@ namespace penumbra
 namespace
 {
 
-constexpr std::size_t Size1 = 348;
-constexpr std::size_t Size2 = 540;
+int ScalarTypeOf(std::int64_t datatype, std::int64_t bitpix)
+{
+  static const std::map<std::int64_t, int> types = { { 2, VTK_UNSIGNED_CHAR }, { 4, VTK_SHORT },
+    { 8, VTK_INT }, { 16, VTK_FLOAT }, { 64, VTK_DOUBLE }, { 256, VTK_SIGNED_CHAR },
+    { 512, VTK_UNSIGNED_SHORT }, { 768, VTK_UNSIGNED_INT }, { 1024, VTK_LONG_LONG },
+    { 1280, VTK_UNSIGNED_LONG_LONG } };
+  const auto type = types.find(datatype);
+  if (type == types.end())
+  {
+    throw VolumeReadingError("its datatype is " + std::to_string(datatype) +
+      "; a scalar type is needed: 2, 4, 8, 16, 64, 256, 512, 768, 1024 or 1280");
+  }
+  const int bits = 8 * vtkDataArray::GetDataTypeSize(type->second);
+  if (bitpix != bits)
+  {
+    throw VolumeReadingError("its bitpix is " + std::to_string(bitpix) + ", but datatype " +
+      std::to_string(datatype) + " has " + std::to_string(bits) + " bits");
+  }
+  return type->second;
+}
 
-class HeaderBytes
+class HeaderStart
 {
 public:
-  HeaderBytes(const std::array<unsigned char, Size2>& bytes, bool bigEndian)
-    : Bytes(bytes)
-    , BigEndian(bigEndian)
+  explicit HeaderStart(const std::filesystem::path& path)
   {
+    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(
+      gzopen(path.u8string().c_str(), "rb"), gzclose);
+    const int present = file ? gzread(file.get(), this->Bytes.data(), NiftiSize1) : -1;
+    if (present < NiftiSize1)
+    {
+      throw VolumeReadingError(present < 0
+          ? "its compressed data is damaged"
+          : "its header is cut short; a NIfTI header has 348 or 540 bytes");
+    }
+    const auto size = this->At<std::int32_t>(0);
+    this->Swaps = size != NiftiSize1 && size != NiftiSize2;
   }
 
   template <typename Value>
   Value At(std::size_t position) const
   {
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < sizeof(Value); ++i)
-    {
-      const std::size_t place = this->BigEndian ? i : sizeof(Value) - 1 - i;
-      bits = bits << 8 | this->Bytes[position + place];
-    }
-    return FromBits<Value>(bits);
-  }
-
-  template <typename Value, typename Values>
-  void Fill(std::size_t position, Values& values) const
-  {
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      values[i] = this->At<Value>(position + i * sizeof(Value));
-    }
-  }
-
-private:
-  template <typename Value>
-  static Value FromBits(std::uint64_t bits)
-  {
     Value value;
-    if constexpr (sizeof(Value) == 2)
+    std::memcpy(&value, &this->Bytes[position], sizeof(Value));
+    if (this->Swaps)
     {
-      const auto ownBits = static_cast<std::uint16_t>(bits);
-      std::memcpy(&value, &ownBits, sizeof(Value));
-    }
-    else if constexpr (sizeof(Value) == 4)
-    {
-      const auto ownBits = static_cast<std::uint32_t>(bits);
-      std::memcpy(&value, &ownBits, sizeof(Value));
-    }
-    else
-    {
-      std::memcpy(&value, &bits, sizeof(Value));
+      vtkByteSwap::SwapVoidRange(&value, 1, sizeof(Value));
     }
     return value;
   }
 
-  const std::array<unsigned char, Size2>& Bytes;
-  bool BigEndian;
+  bool Holds(std::size_t position, const char* bytes, std::size_t count) const
+  {
+    return std::memcmp(&this->Bytes[position], bytes, count) == 0;
+  }
+
+private:
+  std::array<char, NiftiSize1> Bytes{};
+  bool Swaps = false;
 };
 
-NiftiHeader Version1(const HeaderBytes& bytes)
-{
-  NiftiHeader header;
-  bytes.Fill<std::int16_t>(40, header.dim);
-  header.datatype = bytes.At<std::int16_t>(70);
-  header.bitpix = bytes.At<std::int16_t>(72);
-  bytes.Fill<float>(76, header.pixdim);
-  header.vox_offset = bytes.At<float>(108);
-  header.scl_slope = bytes.At<float>(112);
-  header.scl_inter = bytes.At<float>(116);
-  header.qform_code = bytes.At<std::int16_t>(252);
-  header.sform_code = bytes.At<std::int16_t>(254);
-  bytes.Fill<float>(256, header.quatern);
-  bytes.Fill<float>(268, header.qoffset);
-  for (std::size_t row = 0; row < 3; ++row)
-  {
-    bytes.Fill<float>(280 + 16 * row, header.srow[row]);
-  }
-  header.size = Size1;
-  return header;
 }
 
-NiftiHeader Version2(const HeaderBytes& bytes)
+int CheckNiftiHeader(const std::filesystem::path& path)
 {
-  NiftiHeader header;
-  header.datatype = bytes.At<std::int16_t>(12);
-  header.bitpix = bytes.At<std::int16_t>(14);
-  bytes.Fill<std::int64_t>(16, header.dim);
-  bytes.Fill<double>(104, header.pixdim);
-  header.vox_offset = static_cast<double>(bytes.At<std::int64_t>(168));
-  header.scl_slope = bytes.At<double>(176);
-  header.scl_inter = bytes.At<double>(184);
-  header.qform_code = bytes.At<std::int32_t>(344);
-  header.sform_code = bytes.At<std::int32_t>(348);
-  bytes.Fill<double>(352, header.quatern);
-  bytes.Fill<double>(376, header.qoffset);
-  for (std::size_t row = 0; row < 3; ++row)
+  const HeaderStart start(path);
+  const auto size = start.At<std::int32_t>(0);
+  if (size == NiftiSize1 && start.Holds(344, "ni1", 4))
   {
-    bytes.Fill<double>(400 + 32 * row, header.srow[row]);
+    throw VolumeReadingError("its voxels are in a file of their own (.hdr and .img); a NIfTI file "
+                             "that holds both is needed");
   }
-  header.size = Size2;
-  return header;
-}
-
-void ReadExactly(ByteStream& stream, unsigned char* destination, std::size_t size)
-{
-  if (stream.Read(destination, size) < size)
+  const bool isFirst = size == NiftiSize1 && start.Holds(344, "n+1", 4);
+  if (!isFirst && (size != NiftiSize2 || !start.Holds(4, "n+2\0\r\n\x1a\n", 8)))
   {
-    throw VolumeReadingError("its header is cut short; a NIfTI header has 348 or 540 bytes");
+    throw VolumeReadingError("its header is not that of NIfTI-1 or NIfTI-2");
   }
-}
-
-}
-
-NiftiHeader ReadNiftiHeader(ByteStream& stream)
-{
-  std::array<unsigned char, Size2> bytes{};
-  ReadExactly(stream, bytes.data(), Size1);
-  for (const bool bigEndian : { false, true })
+  const std::int64_t axes = isFirst ? start.At<std::int16_t>(40) : start.At<std::int64_t>(16);
+  if (axes < 1 || axes > 7)
   {
-    const HeaderBytes ordered(bytes, bigEndian);
-    const auto size = ordered.At<std::int32_t>(0);
-    if (size == Size1 && std::memcmp(&bytes[344], "n+1", 4) == 0)
-    {
-      NiftiHeader header = Version1(ordered);
-      header.bigEndian = bigEndian;
-      return header;
-    }
-    if (size == Size2 && std::memcmp(&bytes[4], "n+2\0\r\n\x1a\n", 8) == 0)
-    {
-      ReadExactly(stream, &bytes[Size1], Size2 - Size1);
-      NiftiHeader header = Version2(ordered);
-      header.bigEndian = bigEndian;
-      return header;
-    }
-    if (size == Size1 && std::memcmp(&bytes[344], "ni1", 4) == 0)
-    {
-      throw VolumeReadingError(
-        "its voxels are in a file of their own (.hdr and .img); a NIfTI file "
-        "that holds both is needed");
-    }
+    throw VolumeReadingError(
+      "its dim[0] is " + std::to_string(axes) + "; a number of axes from 1 to 7 is needed");
   }
-  throw VolumeReadingError("its header is not that of NIfTI-1 or NIfTI-2");
+  const auto offset = start.At<float>(108);
+  constexpr float largest = 9.0e15f;
+  if (isFirst && !(std::abs(offset) < largest && offset == std::floor(offset)))
+  {
+    throw VolumeReadingError("its vox_offset is " + std::to_string(offset) + "; an integer from " +
+      std::to_string(NiftiSize1 + 4) + " on is needed");
+  }
+  return ScalarTypeOf(
+    start.At<std::int16_t>(isFirst ? 70 : 12), start.At<std::int16_t>(isFirst ? 72 : 14));
 }
 
 }

@@ -1,16 +1,21 @@
-#include "ByteStream.h"
 #include "FormatReaders.h"
 #include "NiftiHeader.h"
+#include "ReaderErrors.h"
 #include "VolumeGeometry.h"
 #include "VoxelData.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
+#include "vtkNIFTIImageHeader.h"
+#include "vtkNIFTIImageReader.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace penumbra
 {
@@ -18,44 +23,18 @@ namespace penumbra
 namespace
 {
 
-int ScalarTypeOf(const NiftiHeader& header)
-{
-  static const std::map<std::int64_t, int> types = { { 2, VTK_UNSIGNED_CHAR }, { 4, VTK_SHORT },
-    { 8, VTK_INT }, { 16, VTK_FLOAT }, { 64, VTK_DOUBLE }, { 256, VTK_SIGNED_CHAR },
-    { 512, VTK_UNSIGNED_SHORT }, { 768, VTK_UNSIGNED_INT }, { 1024, VTK_LONG_LONG },
-    { 1280, VTK_UNSIGNED_LONG_LONG } };
-  const auto type = types.find(header.datatype);
-  if (type == types.end())
-  {
-    throw VolumeReadingError("its datatype is " + std::to_string(header.datatype) +
-      "; a scalar type is needed: 2, 4, 8, 16, 64, 256, 512, 768, 1024 or 1280");
-  }
-  const int bits = 8 * vtkDataArray::GetDataTypeSize(type->second);
-  if (header.bitpix != bits)
-  {
-    throw VolumeReadingError("its bitpix is " + std::to_string(header.bitpix) + ", but datatype " +
-      std::to_string(header.datatype) + " has " + std::to_string(bits) + " bits");
-  }
-  return type->second;
-}
-
 // The number of volumes in time, of which the first is read.
-std::int64_t TimeStepsOf(const NiftiHeader& header)
+std::int64_t TimeStepsOf(vtkNIFTIImageHeader* header)
 {
-  if (header.dim[0] < 1 || header.dim[0] > 7)
+  for (int axis = 5; axis <= header->GetDim(0); ++axis)
   {
-    throw VolumeReadingError("its dim[0] is " + std::to_string(header.dim[0]) +
-      "; a number of axes from 1 to 7 is needed");
-  }
-  for (std::int64_t axis = 5; axis <= header.dim[0]; ++axis)
-  {
-    if (header.dim[axis] != 1)
+    if (header->GetDim(axis) != 1)
     {
       throw VolumeReadingError("its axis " + std::to_string(axis) + " holds " +
-        std::to_string(header.dim[axis]) + " values per voxel; one is needed");
+        std::to_string(header->GetDim(axis)) + " values per voxel; one is needed");
     }
   }
-  const std::int64_t steps = header.dim[0] >= 4 ? header.dim[4] : 1;
+  const std::int64_t steps = header->GetDim(0) >= 4 ? header->GetDim(4) : 1;
   if (steps < 1 || steps > std::numeric_limits<int>::max())
   {
     throw VolumeReadingError("its dim[4] is " + std::to_string(steps) +
@@ -64,23 +43,26 @@ std::int64_t TimeStepsOf(const NiftiHeader& header)
   return steps;
 }
 
-void PlaceBySform(const NiftiHeader& header, VolumeGeometry& geometry)
+void PlaceBySform(vtkNIFTIImageHeader* header, VolumeGeometry& geometry)
 {
+  const double* const rows[3] = { header->GetSRowX(), header->GetSRowY(), header->GetSRowZ() };
   std::array<Vector3, 3> steps;
   for (int row = 0; row < 3; ++row)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      steps[axis][row] = header.srow[row][axis];
+      steps[axis][row] = rows[row][axis];
     }
-    geometry.origin[row] = header.srow[row][3];
+    geometry.origin[row] = rows[row][3];
   }
   SetSteps(geometry, steps);
 }
 
-void PlaceByQform(const NiftiHeader& header, VolumeGeometry& geometry)
+void PlaceByQform(vtkNIFTIImageHeader* header, VolumeGeometry& geometry)
 {
-  const auto& [b, c, d] = header.quatern;
+  const double b = header->GetQuaternB();
+  const double c = header->GetQuaternC();
+  const double d = header->GetQuaternD();
   const double squares = b * b + c * c + d * d;
   // Rounding may make b, c and d longer than the unit quaternion that they are part of.
   const double length = std::max(1.0, std::sqrt(squares));
@@ -88,7 +70,7 @@ void PlaceByQform(const NiftiHeader& header, VolumeGeometry& geometry)
     d / length };
   double rotation[3][3];
   vtkMath::QuaternionToMatrix3x3(quaternion, rotation);
-  const double mirror = header.pixdim[0] < 0.0 ? -1.0 : 1.0;
+  const double mirror = header->GetPixDim(0) < 0.0 ? -1.0 : 1.0;
   std::array<Vector3, 3> steps;
   for (int row = 0; row < 3; ++row)
   {
@@ -97,85 +79,125 @@ void PlaceByQform(const NiftiHeader& header, VolumeGeometry& geometry)
       steps[axis][row] = rotation[row][axis] * geometry.spacing[axis] * (axis == 2 ? mirror : 1.0);
     }
   }
-  geometry.origin = header.qoffset;
+  geometry.origin = { header->GetQOffsetX(), header->GetQOffsetY(), header->GetQOffsetZ() };
   SetSteps(geometry, steps);
 }
 
-VolumeGeometry GeometryOf(const NiftiHeader& header)
+VolumeGeometry GeometryOf(vtkNIFTIImageHeader* header)
 {
   VolumeGeometry geometry;
-  for (std::int64_t axis = 0; axis < 3 && axis < header.dim[0]; ++axis)
+  for (int axis = 0; axis < 3 && axis < header->GetDim(0); ++axis)
   {
-    geometry.dimensions[axis] = header.dim[axis + 1];
-    geometry.spacing[axis] = header.pixdim[axis + 1];
+    geometry.dimensions[axis] = header->GetDim(axis + 1);
+    geometry.spacing[axis] = header->GetPixDim(axis + 1);
   }
-  if (header.sform_code > 0)
+  if (header->GetSFormCode() > 0)
   {
     PlaceBySform(header, geometry);
     return geometry;
   }
   CheckGeometry(geometry);
-  if (header.qform_code > 0)
+  if (header->GetQFormCode() > 0)
   {
     PlaceByQform(header, geometry);
   }
   return geometry;
 }
 
-std::uint64_t OffsetOf(const NiftiHeader& header)
+std::uint64_t OffsetOf(vtkNIFTIImageHeader* header)
 {
   // Four bytes that announce extensions follow the header; writers that leave the offset at 0 mean
   // the byte after them.
-  const double least = static_cast<double>(header.size) + 4.0;
-  const double offset = header.vox_offset == 0.0 ? least : header.vox_offset;
-  constexpr double largest = 9007199254740992.0; // 2^53: doubles are exact up to here
-  if (!(offset >= least && offset <= largest) || offset != std::floor(offset))
+  const std::int64_t least = (header->GetMagic()[2] == '1' ? NiftiSize1 : NiftiSize2) + 4;
+  const std::int64_t offset = header->GetVoxOffset() == 0 ? least : header->GetVoxOffset();
+  if (offset < least)
   {
-    throw VolumeReadingError("its vox_offset is " + std::to_string(offset) + "; an integer from " +
-      std::to_string(header.size + 4) + " on is needed");
+    throw VolumeReadingError("its vox_offset is " + std::to_string(offset) + "; " +
+      std::to_string(least) + " or more is needed");
   }
   return static_cast<std::uint64_t>(offset);
 }
 
-void SetScaling(const NiftiHeader& header, VoxelData& data)
+/**
+ * Keeps the slices in the file's order, which vtkNIFTIImageReader reverses where the axes are
+ * left-handed.
+ */
+class NiftiVoxelReader : public vtkNIFTIImageReader
 {
-  // The standard: a slope of 0 says that nothing is to be scaled.
-  if (header.scl_slope == 0.0 || !std::isfinite(header.scl_slope))
+public:
+  static NiftiVoxelReader* New();
+  vtkTypeMacro(NiftiVoxelReader, vtkNIFTIImageReader);
+
+protected:
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override
   {
-    return;
+    const int result = this->Superclass::RequestInformation(request, input, output);
+    this->QFac = 1.0;
+    if (this->HeaderSize == 0)
+    {
+      this->HeaderSize = static_cast<unsigned long>(OffsetOf(this->NIFTIHeader));
+    }
+    return result;
   }
-  if (!std::isfinite(header.scl_inter))
+};
+
+vtkStandardNewMacro(NiftiVoxelReader);
+
+// The standard: a slope of 0 says that nothing is to be scaled.
+bool IsScaled(vtkNIFTIImageHeader* header)
+{
+  const double slope = header->GetSclSlope();
+  if (slope == 0.0 || !std::isfinite(slope))
+  {
+    return false;
+  }
+  if (!std::isfinite(header->GetSclInter()))
   {
     throw VolumeReadingError(
-      "its scl_inter is " + std::to_string(header.scl_inter) + "; a finite number is needed");
+      "its scl_inter is " + std::to_string(header->GetSclInter()) + "; a finite number is needed");
   }
-  data.slope = header.scl_slope;
-  data.intercept = header.scl_inter;
+  return slope != 1.0 || header->GetSclInter() != 0.0;
 }
 
 }
 
 Volume ReadNiftiVolume(const std::filesystem::path& path, bool compressed, Warnings& warnings)
 {
-  const NiftiHeader header = ReadNiftiHeader(*OpenBytes(path, 0, compressed));
-  const std::int64_t timeSteps = TimeStepsOf(header);
-  const VolumeGeometry geometry = GeometryOf(header);
   VoxelData data;
   data.files = { path };
-  data.encoding = compressed ? VoxelEncoding::Compressed : VoxelEncoding::Raw;
-  data.scalarType = ScalarTypeOf(header);
-  data.bigEndian = header.bigEndian;
-  (compressed ? data.offsetInStream : *data.offset) = OffsetOf(header);
-  SetScaling(header, data);
+  data.scalarType = CheckNiftiHeader(path);
+  ReaderErrors errors;
+  vtkNew<NiftiVoxelReader> reader;
+  errors.Observe(reader);
+  errors.Observe(reader->GetExecutive());
+  reader->SetFileName(path.u8string().c_str());
+  reader->UpdateInformation();
+  vtkNIFTIImageHeader* const header = reader->GetNIFTIHeader();
+  const std::int64_t timeSteps = TimeStepsOf(header);
+  const VolumeGeometry geometry = GeometryOf(header);
+  const std::uint64_t offset = OffsetOf(header);
+  if (compressed)
+  {
+    data.compression = CompressedFormat::Gzip;
+  }
+  (compressed ? data.offsetInStream : *data.offset) = offset;
+  const bool isScaled = IsScaled(header);
 
   const std::uint64_t scalarSize = vtkDataArray::GetDataTypeSize(data.scalarType);
   const std::uint64_t bytes = NumberOfVoxels(geometry, scalarSize * timeSteps) * scalarSize;
   data.bytesAfter = bytes * static_cast<std::uint64_t>(timeSteps - 1);
+  CheckVoxelData(geometry, data);
   if (timeSteps > 1)
   {
     warnings.push_back("of its " + std::to_string(timeSteps) + " steps in time the first is read");
   }
-  return ReadVoxels(geometry, data, warnings);
+  auto voxels = RunReader(reader, errors, geometry, data.scalarType);
+  if (isScaled)
+  {
+    voxels = Rescaled(voxels, header->GetSclSlope(), header->GetSclInter());
+  }
+  return FinishedVolume(geometry, voxels, warnings);
 }
 
 }

@@ -1,11 +1,16 @@
 #include "FormatReaders.h"
 #include "HeaderText.h"
 #include "NrrdHeader.h"
+#include "ReaderErrors.h"
 #include "SplitFiles.h"
 #include "VolumeGeometry.h"
 #include "VoxelData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkNrrdReader.h"
+#include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
 
 #include <map>
 
@@ -44,28 +49,24 @@ int ScalarTypeOf(const NrrdHeader& header)
   return type->second;
 }
 
-VoxelEncoding EncodingOf(const NrrdHeader& header)
+std::optional<CompressedFormat> CompressionOf(const NrrdHeader& header)
 {
   const std::string name = LowerCase(header.Needed("encoding"));
   if (name == "raw")
   {
-    return VoxelEncoding::Raw;
+    return std::nullopt;
   }
   if (name == "gzip" || name == "gz")
   {
-    return VoxelEncoding::Compressed;
+    return CompressedFormat::Gzip;
   }
-  if (name == "text" || name == "txt" || name == "ascii")
-  {
-    return VoxelEncoding::Text;
-  }
-  throw VolumeReadingError(
-    "the field \"encoding\" is \"" + name + "\"; raw, gzip or text is needed");
+  // VTK reads text of bytes as letters, and text that follows the header not at all.
+  throw VolumeReadingError("the field \"encoding\" is \"" + name + "\"; raw or gzip is needed");
 }
 
-bool IsBigEndian(const NrrdHeader& header, const VoxelData& data)
+bool IsBigEndian(const NrrdHeader& header, int scalarType)
 {
-  if (data.encoding == VoxelEncoding::Text || vtkDataArray::GetDataTypeSize(data.scalarType) == 1)
+  if (vtkDataArray::GetDataTypeSize(scalarType) == 1)
   {
     return false;
   }
@@ -104,7 +105,6 @@ std::vector<std::filesystem::path> FilesOf(
   return DataFiles(path, ExpandPattern(words[0], number(1), number(2), number(3)));
 }
 
-// Bytes to be left out before the voxels: of the stream where it is compressed, else of the file.
 void SetOffset(const NrrdHeader& header, VoxelData& data)
 {
   if (ToInteger(header.Value("lineskip").value_or("0"), "the field \"line skip\"") != 0)
@@ -114,21 +114,61 @@ void SetOffset(const NrrdHeader& header, VoxelData& data)
   data.offset = header.Value("datafile") ? 0 : header.size;
   const std::int64_t skipped =
     ToInteger(header.Value("byteskip").value_or("0"), "the field \"byte skip\"");
-  if (skipped == -1 && data.encoding == VoxelEncoding::Raw)
+  if (skipped < -1 || (skipped != 0 && data.compression))
+  {
+    throw VolumeReadingError("the field \"byte skip\" is " + std::to_string(skipped) +
+      "; 0 is needed, or -1 or more where the encoding is raw");
+  }
+  if (skipped == -1)
   {
     data.offset = std::nullopt;
   }
-  else if (skipped < 0)
-  {
-    throw VolumeReadingError("the field \"byte skip\" is " + std::to_string(skipped) +
-      "; 0 or more is needed, or -1 where the encoding is raw");
-  }
   else
   {
-    (data.encoding == VoxelEncoding::Compressed ? data.offsetInStream : *data.offset) +=
-      static_cast<std::uint64_t>(skipped);
+    *data.offset += static_cast<std::uint64_t>(skipped);
   }
 }
+
+// vtkNrrdReader has zlib count in 32 bits and takes the first of several compressed files for all.
+void CheckCompressedSize(const VolumeGeometry& geometry, const VoxelData& data)
+{
+  constexpr std::uint64_t largest = 0x7fffffff;
+  const std::uint64_t scalarSize = vtkDataArray::GetDataTypeSize(data.scalarType);
+  if (data.files.size() != 1 || NumberOfVoxels(geometry, scalarSize) > largest / scalarSize)
+  {
+    throw VolumeReadingError("its voxels are compressed in " + std::to_string(data.files.size()) +
+      " files; one of less than 2 GiB of voxels is needed, or the encoding raw");
+  }
+}
+
+/**
+ * Reads the voxels alone: of the header vtkNrrdReader takes a first axis of up to 9 voxels for the
+ * components of one, and it knows neither "byte skip" nor every spelling of fields.
+ */
+class NrrdVoxelReader : public vtkNrrdReader
+{
+public:
+  static NrrdVoxelReader* New();
+  vtkTypeMacro(NrrdVoxelReader, vtkNrrdReader);
+
+  void SetUp(
+    const std::filesystem::path& header, const VolumeGeometry& geometry, const VoxelData& data)
+  {
+    SetUpReader(this, geometry, data);
+    this->SetFileName(header.u8string().c_str());
+    this->Encoding = data.compression ? ENCODING_GZIP : ENCODING_RAW;
+    for (const auto& file : data.files)
+    {
+      this->DataFiles->InsertNextValue(file.u8string());
+    }
+  }
+
+protected:
+  using vtkNrrdReader::ReadHeader;
+  int ReadHeader() override { return 1; }
+};
+
+vtkStandardNewMacro(NrrdVoxelReader);
 
 }
 
@@ -138,11 +178,21 @@ Volume ReadNrrdVolume(const std::filesystem::path& path, Warnings& warnings)
   const VolumeGeometry geometry = NrrdGeometry(header);
   VoxelData data;
   data.scalarType = ScalarTypeOf(header);
-  data.encoding = EncodingOf(header);
-  data.bigEndian = IsBigEndian(header, data);
+  data.compression = CompressionOf(header);
+  data.bigEndian = IsBigEndian(header, data.scalarType);
   data.files = FilesOf(path, header);
   SetOffset(header, data);
-  return ReadVoxels(geometry, data, warnings);
+  CheckVoxelData(geometry, data);
+  if (data.compression)
+  {
+    CheckCompressedSize(geometry, data);
+  }
+  ReaderErrors errors;
+  vtkNew<NrrdVoxelReader> reader;
+  reader->SetUp(path, geometry, data);
+  auto voxels = RunReader(reader, errors, geometry, data.scalarType);
+  CheckAllWasRead(reader);
+  return FinishedVolume(geometry, voxels, warnings);
 }
 
 }

@@ -1,6 +1,7 @@
 #include "FormatReaders.h"
 #include "VolumeGeometry.h"
 #include "VoxelData.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 
 #include <algorithm>
@@ -29,7 +30,8 @@ Volume ReadRawVolume(
   data.scalarType = *scalarType;
   data.bigEndian = raw.bigEndian;
   data.offset = raw.headerBytes;
-  return ReadVoxels(geometry, data, warnings);
+  CheckVoxelData(geometry, data);
+  return FinishedVolume(geometry, ReadUncompressed(geometry, data), warnings);
 }
 
 }

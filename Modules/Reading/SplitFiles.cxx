@@ -1,6 +1,6 @@
 #include "SplitFiles.h"
 
-#include "ByteStream.h"
+#include "FileBytes.h"
 #include "VolumeReadingError.h"
 
 namespace penumbra

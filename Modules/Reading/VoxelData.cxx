@@ -1,17 +1,26 @@
 #include "VoxelData.h"
 
-#include "ByteStream.h"
+#include "ReaderErrors.h"
 #include "ScalarTypes.h"
-#include "TextVoxels.h"
 #include "VolumeGeometry.h"
 #include "VolumeReadingError.h"
-#include "VoxelArray.h"
+#include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkImageReader2.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <type_traits>
 
 namespace penumbra
 {
@@ -19,140 +28,145 @@ namespace penumbra
 namespace
 {
 
-// What one byte of a deflated stream can stand for at most.
-constexpr std::uint64_t LargestCompression = 1032;
-
-/// What each of the files has to hold, in numbers and in words.
-struct Share
+std::array<int, 6> ExtentOf(const VolumeGeometry& geometry)
 {
-  std::uint64_t voxels = 0;
-  std::uint64_t bytes = 0;
-  std::string words;
-};
-
-std::uint64_t Sum(std::uint64_t a, std::uint64_t b)
-{
-  const std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();
-  return a > largest - b ? largest : a + b;
+  std::array<int, 6> extent{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    extent[2 * axis + 1] = static_cast<int>(geometry.dimensions[axis] - 1);
+  }
+  return extent;
 }
 
-Share SharePerFile(const VolumeGeometry& geometry, const VoxelData& data)
+bool AreOfType(vtkDataArray* voxels, int scalarType)
 {
-  const std::uint64_t scalarSize = vtkDataArray::GetDataTypeSize(data.scalarType);
-  Share share;
-  share.voxels = NumberOfVoxels(geometry, scalarSize);
-  share.words = std::to_string(geometry.dimensions[0]) + " x " +
-    std::to_string(geometry.dimensions[1]) + " x " + std::to_string(geometry.dimensions[2]) +
-    " voxels of " + ScalarTypeName(data.scalarType);
-  const std::uint64_t files = data.files.size();
-  if (files == 0 || share.voxels % files != 0)
-  {
-    throw VolumeReadingError(
-      share.words + " cannot be spread evenly over " + std::to_string(files) + " files");
-  }
-  share.voxels /= files;
-  share.bytes = share.voxels * scalarSize;
-  share.words += files > 1 ? " over " + std::to_string(files) + " files" : "";
-  return share;
-}
-
-std::uint64_t OffsetIn(std::uint64_t fileSize, const VoxelData& data, const Share& share)
-{
-  return data.offset.value_or(fileSize > share.bytes ? fileSize - share.bytes : 0);
-}
-
-// Compares what `file` has to hold with its size alone.
-void CheckSize(const std::filesystem::path& file, const VoxelData& data, const Share& share)
-{
-  const std::uint64_t size = SizeOfFile(file);
-  const std::uint64_t offset = OffsetIn(size, data, share);
-  const std::uint64_t present = size - std::min(offset, size);
-  const std::uint64_t expected = Sum(Sum(share.bytes, data.offsetInStream), data.bytesAfter);
-  const std::uint64_t header = Sum(offset, data.offsetInStream);
-  const std::string found = "\"" + file.filename().u8string() + "\" holds " + std::to_string(size) +
-    " bytes, but " +
-    (header > 0 ? "a header of " + std::to_string(header) + " bytes and " : std::string()) +
-    share.words;
-  switch (data.encoding)
-  {
-    case VoxelEncoding::Raw:
-      if (present != expected || offset > size)
-      {
-        throw VolumeReadingError(
-          found + " need exactly " + std::to_string(Sum(offset, expected)) + " bytes");
-      }
-      break;
-    case VoxelEncoding::Compressed:
-      if (present == 0 || (expected - 1) / LargestCompression >= present)
-      {
-        throw VolumeReadingError(
-          found + " need more, even compressed: " + std::to_string(expected) + " bytes before it");
-      }
-      break;
-    case VoxelEncoding::Text:
-      // A digit and a blank for each voxel; the last one needs no blank.
-      if (share.voxels > present / 2 + 1)
-      {
-        throw VolumeReadingError(found + " as text need more");
-      }
-      break;
-  }
-}
-
-void ReadBinary(ByteStream& stream, const VoxelData& data, const Share& share, char* destination)
-{
-  stream.Skip(data.offsetInStream);
-  const std::uint64_t present = stream.Read(destination, share.bytes);
-  if (present < share.bytes)
-  {
-    throw VolumeReadingError("its voxels end after " + std::to_string(present) + " bytes, but " +
-      share.words + " need " + std::to_string(share.bytes));
-  }
-  // This looks beyond the last voxel also to have the checksum of compressed data compared.
-  char following = 0;
-  if (data.bytesAfter == 0 && stream.Read(&following, 1) > 0)
-  {
-    throw VolumeReadingError("its data goes on after the " + std::to_string(share.bytes) +
-      " bytes that " + share.words + " need");
-  }
-}
-
-void ReadFile(
-  const std::filesystem::path& file, const VoxelData& data, const Share& share, char* destination)
-{
-  const std::uint64_t offset = OffsetIn(SizeOfFile(file), data, share);
-  const auto stream = OpenBytes(file, offset, data.encoding == VoxelEncoding::Compressed);
-  if (data.encoding == VoxelEncoding::Text)
-  {
-    ReadTextVoxels(*stream, data.scalarType, share.voxels, destination);
-    return;
-  }
-  ReadBinary(*stream, data, share, destination);
-  SwapToMachine(destination, share.voxels, share.bytes / share.voxels, data.bigEndian);
+  return std::string(ScalarTypeName(voxels->GetDataType())) == ScalarTypeName(scalarType);
 }
 
 }
 
-vtkSmartPointer<vtkImageData> ReadVoxels(
-  const VolumeGeometry& geometry, const VoxelData& data, std::vector<std::string>& warnings)
+void CheckAllWasRead(vtkImageReader2* reader)
 {
-  CheckGeometry(geometry);
-  const Share share = SharePerFile(geometry, data);
-  for (const auto& file : data.files)
+  // vtkImageReader2 tells of a failure only by a warning that belongs to no object.
+  if (reader->GetFile() != nullptr && !reader->GetFile()->good())
   {
-    CheckSize(file, data, share);
+    throw VolumeReadingError("reading its voxels failed; its disk may be damaged");
   }
-  auto voxels = AllocateVoxels(data.scalarType, share.voxels * data.files.size());
-  char* destination = static_cast<char*>(voxels->GetVoidPointer(0));
-  for (const auto& file : data.files)
+}
+
+void SetUpReader(vtkImageReader2* reader, const VolumeGeometry& geometry, const VoxelData& data)
+{
+  reader->SetDataScalarType(data.scalarType);
+  reader->SetNumberOfScalarComponents(1);
+  reader->SetFileDimensionality(data.files.size() > 1 ? 2 : 3);
+  reader->SetDataExtent(ExtentOf(geometry).data());
+  reader->SetHeaderSize(static_cast<unsigned long>(*data.offset));
+  reader->FileLowerLeftOn();
+  if (data.bigEndian)
   {
-    ReadFile(file, data, share, destination);
-    destination += share.bytes;
+    reader->SetDataByteOrderToBigEndian();
   }
-  const bool rescales = data.slope != 1.0 || data.intercept != 0.0;
-  voxels =
-    rescales ? Rescaled(voxels, data.slope, data.intercept) : WithoutLongIntegers(voxels, warnings);
-  voxels->SetName("scalars");
+  else
+  {
+    reader->SetDataByteOrderToLittleEndian();
+  }
+}
+
+vtkSmartPointer<vtkDataArray> RunReader(
+  vtkAlgorithm* reader, ReaderErrors& errors, const VolumeGeometry& geometry, int scalarType)
+{
+  errors.Observe(reader);
+  errors.Observe(reader->GetExecutive());
+  reader->UpdateInformation();
+  errors.ThrowIfAny();
+  // A reader that understands a header otherwise must not allocate what was not checked.
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (static_cast<std::int64_t>(extent[2 * axis + 1]) - extent[2 * axis] + 1 !=
+      geometry.dimensions[axis])
+    {
+      throw VolumeReadingError("its header is damaged: its dimensions can be read in two ways");
+    }
+  }
+  reader->Update();
+  errors.ThrowIfAny();
+  auto* const image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
+  vtkDataArray* const voxels = image ? image->GetPointData()->GetScalars() : nullptr;
+  const std::uint64_t count = NumberOfVoxels(geometry, 1);
+  if (voxels == nullptr || !AreOfType(voxels, scalarType) || voxels->GetNumberOfComponents() != 1 ||
+    static_cast<std::uint64_t>(voxels->GetNumberOfTuples()) != count)
+  {
+    throw VolumeReadingError("it is damaged: VTK's reader does not find its " +
+      std::to_string(count) + " voxels of " + ScalarTypeName(scalarType));
+  }
+  return voxels;
+}
+
+vtkSmartPointer<vtkDataArray> ReadUncompressed(
+  const VolumeGeometry& geometry, const VoxelData& data)
+{
+  ReaderErrors errors;
+  vtkNew<vtkImageReader2> reader;
+  if (data.files.size() > 1)
+  {
+    vtkNew<vtkStringArray> names;
+    for (const auto& file : data.files)
+    {
+      names->InsertNextValue(file.u8string());
+    }
+    reader->SetFileNames(names);
+  }
+  else
+  {
+    reader->SetFileName(data.files.front().u8string().c_str());
+  }
+  SetUpReader(reader, geometry, data);
+  auto voxels = RunReader(reader, errors, geometry, data.scalarType);
+  CheckAllWasRead(reader);
+  return voxels;
+}
+
+vtkSmartPointer<vtkDataArray> Rescaled(vtkDataArray* voxels, double slope, double intercept)
+{
+  vtkSmartPointer<vtkDataArray> result;
+  if (voxels->GetDataType() == VTK_FLOAT || voxels->GetDataTypeSize() <= 2)
+  {
+    result = vtkSmartPointer<vtkFloatArray>::New();
+  }
+  else
+  {
+    result = vtkSmartPointer<vtkDoubleArray>::New();
+  }
+  result->DeepCopy(voxels);
+  const auto rescale = [&](auto* array)
+  {
+    for (auto&& value : vtk::DataArrayValueRange<1>(array))
+    {
+      value = static_cast<std::decay_t<decltype(value)>>(slope * value + intercept);
+    }
+  };
+  if (auto* const floats = vtkFloatArray::SafeDownCast(result))
+  {
+    rescale(floats);
+  }
+  else
+  {
+    rescale(vtkDoubleArray::SafeDownCast(result));
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkImageData> FinishedVolume(const VolumeGeometry& geometry,
+  vtkSmartPointer<vtkDataArray> voxels, std::vector<std::string>& warnings, const std::string& name)
+{
+  if (voxels->GetDataTypeSize() == 8 && voxels->GetDataType() != VTK_DOUBLE)
+  {
+    warnings.push_back("integers of 64 bits are read as float64, which is exact up to 2^53");
+    voxels = Rescaled(voxels, 1.0, 0.0);
+  }
+  voxels->SetName(name.c_str());
   auto image = vtkSmartPointer<vtkImageData>::New();
   ApplyGeometry(geometry, image);
   image->GetPointData()->SetScalars(voxels);

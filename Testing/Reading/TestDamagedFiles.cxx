@@ -42,8 +42,11 @@ std::string XmlImage(const TemporaryFolder& folder, const std::string& sample, i
 std::vector<File> SoundFiles(const TemporaryFolder& folder)
 {
   const auto voxels = SampleBytes<short>();
+  const auto zlib = Compressed(voxels, false);
   std::vector<File> files{ { "a.mha", MetaImage + MetaImageEnd + voxels },
-    { "b.mha", MetaImage + "CompressedData = True\n" + MetaImageEnd + Compressed(voxels, false) },
+    { "b.mha",
+      MetaImage + "CompressedData = True\nCompressedDataSize = " + std::to_string(zlib.size()) +
+        "\n" + MetaImageEnd + zlib },
     { "a.nrrd", Nrrd + "encoding: raw\n\n" + voxels },
     { "b.nrrd", Nrrd + "encoding: gzip\n\n" + Compressed(voxels, true) },
     { "a.nii", NiftiSample().File(voxels) },
@@ -123,8 +126,6 @@ TEST_CASE("A small file that claims a huge volume is refused by its size")
   const auto data = Compressed(std::string(1000000, '\0'), true);
   CHECK_THAT(failure("a.nrrd", sizes + "encoding: gzip\n\n" + data),
     ContainsSubstring("need more, even compressed"));
-  CHECK_THAT(
-    failure("b.nrrd", sizes + "encoding: text\n\n1 2 3"), ContainsSubstring("as text need more"));
 
   const std::string extent = "Extent=\"0 99999 0 99999 0 99999\"";
   const std::string start = "<VTKFile type=\"ImageData\" compressor=\"vtkZLibDataCompressor\">"

@@ -13,16 +13,20 @@ const std::string End = "ElementType = MET_SHORT\nElementDataFile = LOCAL\n";
 
 }
 
-TEST_CASE("MetaImage voxels are read from raw, compressed and text data")
+TEST_CASE("MetaImage voxels are read from raw and compressed data")
 {
   const TemporaryFolder folder;
   const auto voxels = SampleBytes<short>();
   CHECK(IsSample(Read(folder.Write("a.mha", Start + End + voxels))));
   CHECK(IsSample(Read(folder.Write(
     "b.mha", Start + "BinaryDataByteOrderMSB = True\n" + End + SampleBytes<short>(true)))));
-  CHECK(IsSample(Read(
-    folder.Write("c.MHA", Start + "CompressedData = True\n" + End + Compressed(voxels, false)))));
-  CHECK(IsSample(Read(folder.Write("d.mha", Start + "BinaryData = False\n" + End + SampleText()))));
+  const auto compressed = Compressed(voxels, false);
+  const std::string size = std::to_string(compressed.size());
+  CHECK(IsSample(Read(folder.Write("c.MHA",
+    Start + "CompressedData = True\nCompressedDataSize = " + size + "\n" + End + compressed))));
+  folder.Write("my data.zraw", compressed);
+  CHECK(IsSample(Read(folder.Write("d.mhd",
+    Start + "CompressedData = True\nElementType = MET_SHORT\nElementDataFile = my data.zraw\n"))));
 
   folder.Write("my data.raw", "skipped" + voxels);
   const std::string detached = "ElementType = MET_SHORT\nElementDataFile = my data.raw\n";
@@ -30,6 +34,36 @@ TEST_CASE("MetaImage voxels are read from raw, compressed and text data")
   CHECK(IsSample(Read(folder.Write("f.mhd", Start + "HeaderSize = -1\r\n" + detached))));
   CHECK_THAT(FailureOf(folder.Write("g.mhd", Start + detached)),
     ContainsSubstring("holds 127 bytes") && ContainsSubstring("need exactly 120 bytes"));
+}
+
+TEST_CASE("MetaImages that VTK's reader cannot be trusted with are refused by name")
+{
+  const TemporaryFolder folder;
+  CHECK_THAT(
+    FailureOf(folder.Write("a.mha", Start + "BinaryData = False\n" + End + SampleBytes<short>())),
+    ContainsSubstring("BinaryData"));
+  const auto voxels = Compressed(SampleBytes<short>(), false);
+  const std::string size = "CompressedDataSize = " + std::to_string(voxels.size()) + "\n";
+  const auto failure = [&](const std::string& fields)
+  {
+    return FailureOf(
+      folder.Write("b.mha", Start + "CompressedData = True\n" + fields + End + voxels));
+  };
+  CHECK(failure(size) == "was read");
+  CHECK_THAT(failure(""), ContainsSubstring("lacks CompressedDataSize"));
+  CHECK_THAT(failure("CompressedDataSize = 7\n"), ContainsSubstring("CompressedDataSize is 7"));
+  CHECK_THAT(
+    failure(size + "Comment = " + std::string(300, 'x') + "\n"), ContainsSubstring("250 bytes"));
+  CHECK_THAT(failure(size + "ID = x\n"), ContainsSubstring("ID is"));
+  const auto longs = Compressed(SampleBytes<int>(), false);
+  CHECK_THAT(
+    FailureOf(folder.Write("c.mha",
+      Start + "CompressedData = True\nCompressedDataSize = " + std::to_string(longs.size()) +
+        "\nElementType = MET_LONG\nElementDataFile = LOCAL\n" + longs)),
+    ContainsSubstring("MET_LONG"));
+  CHECK(IsSample(Read(folder.Write("d.mha",
+    Start + "Comment = " + std::string(300, 'x') +
+      "\nElementType = MET_LONG\nElementDataFile = LOCAL\n" + SampleBytes<int>()))));
 }
 
 TEST_CASE("Each row of a MetaImage's TransformMatrix is the direction of an index axis")

@@ -19,7 +19,8 @@ std::string Document(const std::string& image, const std::string& array,
     "</DataArray></PointData><CellData/></Piece></ImageData></VTKFile>\n";
 }
 
-const std::string Image = "WholeExtent=\"0 2 0 3 0 4\" Origin=\"0 0 0\" Spacing=\"1 1 1\"";
+const std::string Extent = "WholeExtent=\"0 2 0 3 0 4\"";
+const std::string Image = Extent + " Origin=\"0 0 0\" Spacing=\"1 1 1\"";
 const std::string Text = "type=\"Int16\" format=\"ascii\">" + SampleText();
 
 }
@@ -97,7 +98,7 @@ TEST_CASE("VTI files that hold no scalar volume are refused by name")
   CHECK_THAT(failure(Image, "NumberOfComponents=\"3\" " + Text), ContainsSubstring("per voxel"));
   CHECK_THAT(failure(Image, "type=\"String\" format=\"ascii\">"), ContainsSubstring("String"));
   CHECK_THAT(failure(Image, Text + " 7"), ContainsSubstring("more than the 60"));
-  CHECK_THAT(failure(Image + " Spacing=\"1 0 1\"", Text), ContainsSubstring("spacing"));
+  CHECK_THAT(failure(Extent + " Spacing=\"1 0 1\"", Text), ContainsSubstring("spacing"));
   CHECK_THAT(
     failure(Image + " Direction=\"1 0 0 0 0 0 0 0 1\"", Text), ContainsSubstring("direction"));
   CHECK_THAT(failure("WholeExtent=\"0 99999 0 99999 0 99999\"", Text), ContainsSubstring("extent"));
