@@ -9,7 +9,7 @@
 #include "LightUniforms.h"
 #include "LightingRequirements.h"
 #include "MarchingPlan.h"
-#include "VolumeGeometry.h"
+#include "VolumePlacement.h"
 
 #include <array>
 #include <vector>
@@ -21,7 +21,7 @@ namespace penumbra
 
 struct DrawnScene
 {
-  VolumeGeometry Geometry;
+  VolumePlacement Geometry;
   ViewRays Rays;
   LightingRequirements Requirements;
   LightUniforms Lights;

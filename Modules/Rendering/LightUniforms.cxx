@@ -63,7 +63,7 @@ Vector3 GetTravelDirection(vtkLight* light)
 }
 
 // Where the shadow ray begins and the optical depth beyond which a hard shadow is complete.
-LightUniforms::Vector2f GetShadow(vtkLight* light, const VolumeGeometry& geometry)
+LightUniforms::Vector2f GetShadow(vtkLight* light, const VolumePlacement& geometry)
 {
   auto* volumeLight = vtkVolumeLight::SafeDownCast(light);
   if (!volumeLight)
@@ -76,7 +76,7 @@ LightUniforms::Vector2f GetShadow(vtkLight* light, const VolumeGeometry& geometr
 }
 
 // Direction of a shadow ray in texture coordinates per length of the own frame.
-Vector3 GetShadowDirection(const VolumeGeometry& geometry, const Vector3& towardsLight)
+Vector3 GetShadowDirection(const VolumePlacement& geometry, const Vector3& towardsLight)
 {
   const Vector3 direction = MultiplyDirection(geometry.WorldToTexture, towardsLight);
   const double length = GetLength(MultiplyDirection(geometry.TextureToOwn, direction));
@@ -84,14 +84,14 @@ Vector3 GetShadowDirection(const VolumeGeometry& geometry, const Vector3& toward
   return { direction[0] * factor, direction[1] * factor, direction[2] * factor };
 }
 
-void AddDirectional(LightUniforms& uniforms, const VolumeGeometry& geometry, const Vector3& travel)
+void AddDirectional(LightUniforms& uniforms, const VolumePlacement& geometry, const Vector3& travel)
 {
   const Vector3 towardsLight = { -travel[0], -travel[1], -travel[2] };
   uniforms.Position.push_back(ToFloat(GetShadowDirection(geometry, towardsLight)));
   uniforms.Direction.push_back(ToFloat(towardsLight));
 }
 
-void AddPositional(LightUniforms& uniforms, const VolumeGeometry& geometry, vtkLight* light)
+void AddPositional(LightUniforms& uniforms, const VolumePlacement& geometry, vtkLight* light)
 {
   double position[3];
   light->GetTransformedPosition(position);
@@ -103,7 +103,7 @@ void AddPositional(LightUniforms& uniforms, const VolumeGeometry& geometry, vtkL
 
 //------------------------------------------------------------------------------
 LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* property,
-  const VolumeGeometry& geometry, const Vector3& cameraDirection)
+  const VolumePlacement& geometry, const Vector3& cameraDirection)
 {
   LightUniforms uniforms;
   uniforms.SetAmbient(ComputeAmbientLight(lights), property->GetAmbient(0));

@@ -7,7 +7,7 @@
 #define LightUniforms_h
 
 #include "LightingRequirements.h"
-#include "VolumeGeometry.h"
+#include "VolumePlacement.h"
 
 #include <array>
 #include <vector>
@@ -45,7 +45,7 @@ struct LightUniforms
 /// The lights of a collection that are on and matter, and their ambient light. cameraDirection: unit
 /// direction of projection, along which headlights shine.
 LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* property,
-  const VolumeGeometry& geometry, const Vector3& cameraDirection);
+  const VolumePlacement& geometry, const Vector3& cameraDirection);
 
 }
 

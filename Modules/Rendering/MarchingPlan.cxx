@@ -9,8 +9,8 @@ namespace
 {
 // llvmpipe ends a fragment after 65,535 iterations.
 constexpr double LargestNumberOfIterations = 60000.0;
-// Positions along a ray are floats: beyond 2^20 steps neighbours begin to coincide.
-constexpr double LargestNumberOfSteps = 1048576.0;
+// Positions along a ray are floats: with 2^16 steps each still has a precision of a hundredth of a step.
+constexpr double LargestNumberOfSteps = 65536.0;
 // ShadowRay.glsl takes this many steps an iteration.
 constexpr double ShadowStepsPerIteration = 4.0;
 
@@ -40,14 +40,14 @@ MarchingPlan PlanMarching(const MarchingTask& task)
   const double steps = CountSteps(task.Diagonal, plan.SampleDistance);
   double perStep =
     CountIterationsPerStep(task, CountSteps(task.Diagonal, plan.ShadowSampleDistance));
-  while (perStep > LargestNumberOfIterations)
+  while (perStep > LargestNumberOfIterations && plan.ShadowSampleDistance < task.Diagonal)
   {
     plan.ShadowSampleDistance *= 2.0;
     perStep = CountIterationsPerStep(task, CountSteps(task.Diagonal, plan.ShadowSampleDistance));
   }
   plan.Steps = static_cast<int>(steps);
   plan.StepsPerDraw =
-    static_cast<int>(std::min(steps, std::floor(LargestNumberOfIterations / perStep)));
+    static_cast<int>(std::clamp(std::floor(LargestNumberOfIterations / perStep), 1.0, steps));
   plan.Draws = (plan.Steps + plan.StepsPerDraw - 1) / plan.StepsPerDraw;
   plan.Coarsened = plan.SampleDistance > task.SampleDistance ||
     plan.ShadowSampleDistance > task.ShadowSampleDistance;

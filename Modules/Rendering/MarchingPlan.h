@@ -38,8 +38,8 @@ struct MarchingPlan
 };
 
 /// The least number of draws of which none can exceed the bound. Steps are made longer than asked only
-/// where a ray would have more of them than single precision can tell apart, or where one view step
-/// alone would exceed the bound.
+/// where a ray would have more of them than single precision can place well, or where one view step
+/// alone would exceed the bound; where longer shadow steps do not help, such a step is a draw of its own.
 PENUMBRARENDERING_EXPORT MarchingPlan PlanMarching(const MarchingTask& task);
 
 }

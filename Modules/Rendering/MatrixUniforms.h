@@ -8,7 +8,7 @@
 #ifndef MatrixUniforms_h
 #define MatrixUniforms_h
 
-#include "VolumeGeometry.h"
+#include "VolumePlacement.h"
 
 #include <array>
 

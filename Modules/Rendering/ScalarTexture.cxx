@@ -136,7 +136,6 @@ ScalarEncoding ChooseEncoding(int scalarType, const ScalarRange& range)
     case VTK_UNSIGNED_CHAR:
       return { true, 255.0, 0.0 };
     case VTK_SIGNED_CHAR:
-    case VTK_CHAR:
       return { true, 255.0, -128.0 };
     case VTK_UNSIGNED_SHORT:
       return { true, LargestNormalized, 0.0 };

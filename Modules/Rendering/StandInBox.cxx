@@ -35,7 +35,7 @@ StandInBox::StandInBox()
 StandInBox::~StandInBox() = default;
 
 //------------------------------------------------------------------------------
-void StandInBox::Place(const VolumeGeometry& geometry)
+void StandInBox::Place(const VolumePlacement& geometry)
 {
   // Sides in world lengths: the ray caster moves the near plane by a fraction of the clipping range.
   double sides[3];

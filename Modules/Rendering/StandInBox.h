@@ -11,7 +11,7 @@
 #ifndef StandInBox_h
 #define StandInBox_h
 
-#include "VolumeGeometry.h"
+#include "VolumePlacement.h"
 
 #include "vtkNew.h"
 
@@ -33,7 +33,7 @@ public:
   ~StandInBox();
 
   /// Places the box where the volume is.
-  void Place(const VolumeGeometry& geometry);
+  void Place(const VolumePlacement& geometry);
   /// Maps the box's own coordinates to clip coordinates.
   Matrix4 GetBoxToClip(const Matrix4& textureToClip) const;
   /// One draw, its program and uniforms decided by the pass.

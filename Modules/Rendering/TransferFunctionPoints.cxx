@@ -63,6 +63,13 @@ std::vector<double> GetPointScalars(const TransferFunctions& functions)
 }
 
 //------------------------------------------------------------------------------
+bool AreClamped(const TransferFunctions& functions)
+{
+  return functions.Opacity->GetClamping() && (!functions.Color || functions.Color->GetClamping()) &&
+    (!functions.Gray || functions.Gray->GetClamping());
+}
+
+//------------------------------------------------------------------------------
 bool ArePiecewiseLinear(const TransferFunctions& functions)
 {
   const auto isStraight = [](vtkPiecewiseFunction* function) {
@@ -75,9 +82,9 @@ bool ArePiecewiseLinear(const TransferFunctions& functions)
         return false;
       }
     }
-    return function->GetClamping() != 0 && !function->GetUseLogScale();
+    return !function->GetUseLogScale();
   };
-  if (!isStraight(functions.Opacity) || (functions.Gray && !isStraight(functions.Gray)))
+  if (!AreClamped(functions) || !isStraight(functions.Opacity) || (functions.Gray && !isStraight(functions.Gray)))
   {
     return false;
   }
@@ -95,7 +102,7 @@ bool ArePiecewiseLinear(const TransferFunctions& functions)
     }
   }
   return functions.Color->GetColorSpace() == VTK_CTF_RGB &&
-    functions.Color->GetScale() == VTK_CTF_LINEAR && functions.Color->GetClamping() != 0;
+    functions.Color->GetScale() == VTK_CTF_LINEAR;
 }
 
 //------------------------------------------------------------------------------

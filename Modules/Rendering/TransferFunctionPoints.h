@@ -23,6 +23,9 @@ struct TransferFunctionPoint
 /// The scalars of all functions' points, ascending.
 std::vector<double> GetPointScalars(const TransferFunctions& functions);
 
+/// Whether all functions keep the values of their first and last point beyond them.
+bool AreClamped(const TransferFunctions& functions);
+
 /// Whether the functions are straight lines between their points, and constant beyond them.
 bool ArePiecewiseLinear(const TransferFunctions& functions);
 

@@ -228,8 +228,9 @@ TransferFunctionTable MakeTransferFunctionTable(const TransferFunctions& functio
 {
   TransferFunctionTable table;
   const std::vector<double> scalars = GetPointScalars(functions);
-  const double first = scalars.empty() ? functions.DataLow : scalars.front();
-  const double last = scalars.empty() ? functions.DataHigh : scalars.back();
+  const bool constantBeyond = !scalars.empty() && AreClamped(functions);
+  const double first = constantBeyond ? scalars.front() : functions.DataLow;
+  const double last = constantBeyond ? scalars.back() : functions.DataHigh;
   table.Low = std::clamp(first, functions.DataLow, functions.DataHigh);
   table.High = std::clamp(last, functions.DataLow, functions.DataHigh);
   if (functions.IntegerData)
@@ -257,19 +258,38 @@ TransferFunctionTable MakeTransferFunctionTable(const TransferFunctions& functio
 }
 
 //------------------------------------------------------------------------------
-GradientOpacityTable MakeGradientOpacityTable(vtkPiecewiseFunction* function, int size)
+GradientOpacityTable MakeGradientOpacityTable(
+  vtkPiecewiseFunction* function, int size, double largestGradient)
 {
   GradientOpacityTable table;
   table.Opacity.assign(size, 1.0f);
-  if (function->GetSize() > 0)
+  const int last = function->GetSize() - 1;
+  if (last < 0)
   {
-    double node[4];
-    function->GetNodeValue(0, node);
-    table.Low = node[0];
-    function->GetNodeValue(function->GetSize() - 1, node);
-    table.High = node[0] > table.Low ? node[0] : table.Low + 1.0;
-    function->GetTable(table.Low, table.High, size, table.Opacity.data());
+    return table;
   }
+  double node[4];
+  const auto getNode = [&](int i, int value) {
+    function->GetNodeValue(i, node);
+    return node[value];
+  };
+  int begin = 0;
+  while (begin < last && getNode(begin + 1, 1) == getNode(begin, 1))
+  {
+    ++begin;
+  }
+  int end = last;
+  while (end > begin && getNode(end - 1, 1) == getNode(end, 1))
+  {
+    --end;
+  }
+  table.Low = getNode(begin, 0);
+  table.High = std::min(getNode(end, 0), largestGradient);
+  if (table.High <= table.Low)
+  {
+    table.High = table.Low + std::max(1.0, std::abs(table.Low) * 1e-6);
+  }
+  function->GetTable(table.Low, table.High, size, table.Opacity.data());
   return table;
 }
 

@@ -54,7 +54,8 @@ struct TransferFunctionTable
 PENUMBRARENDERING_EXPORT TransferFunctionTable MakeTransferFunctionTable(
   const TransferFunctions& functions, int largestSize);
 
-/// A table of a gradient opacity function over its own points' range.
+/// A table of a gradient opacity function between the points where it begins and ceases to change, and
+/// no further than the largest gradient.
 struct GradientOpacityTable
 {
   double Low = 0.0;
@@ -63,7 +64,7 @@ struct GradientOpacityTable
 };
 
 PENUMBRARENDERING_EXPORT GradientOpacityTable MakeGradientOpacityTable(
-  vtkPiecewiseFunction* function, int size);
+  vtkPiecewiseFunction* function, int size, double largestGradient);
 
 }
 

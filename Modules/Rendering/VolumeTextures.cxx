@@ -26,6 +26,16 @@ bool IsInteger(int scalarType)
   return scalarType != VTK_FLOAT && scalarType != VTK_DOUBLE;
 }
 
+// In scalar units per mean voxel: half the range a voxel along each axis, and half as much again for what
+// float rounding adds.
+double BoundGradient(const ScalarRange& range, const double spacing[3])
+{
+  const double mean =
+    (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
+  const double perVoxel = 0.75 * (range.High - range.Low);
+  return perVoxel * std::hypot(mean / spacing[0], mean / spacing[1], mean / spacing[2]);
+}
+
 void Prepare(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int filter)
 {
   texture->SetContext(window);
@@ -71,6 +81,7 @@ bool VolumeTextures::UpdateScalars(
     return false;
   }
   this->LoadedScalars = scalars;
+  this->LargestGradient = BoundGradient(this->Scalars.GetRange(), image->GetSpacing());
   this->IntegerData = IsInteger(scalars->GetDataType());
   this->ScalarsTime.Modified();
   return true;
@@ -177,7 +188,8 @@ void VolumeTextures::LoadGradientOpacity(
     return;
   }
   this->GradientOpacity =
-    MakeGradientOpacityTable(property->GetGradientOpacity(0), GradientOpacityTableSize);
+    MakeGradientOpacityTable(
+      property->GetGradientOpacity(0), GradientOpacityTableSize, this->LargestGradient);
   Prepare(this->GradientOpacityTexture, window, vtkTextureObject::Linear);
   this->GradientOpacityTexture->Create1DFromRaw(
     GradientOpacityTableSize, 1, VTK_FLOAT, this->GradientOpacity.Opacity.data());
@@ -229,7 +241,7 @@ void VolumeTextures::Deactivate()
 
 //------------------------------------------------------------------------------
 void VolumeTextures::SetUniforms(
-  vtkShaderProgram* program, const VolumeGeometry& geometry, double unitDistance) const
+  vtkShaderProgram* program, const VolumePlacement& geometry, double unitDistance) const
 {
   const ScalarEncoding& encoding = this->Scalars.GetEncoding();
   SetSampler(program, "scene_scalars", this->Scalars.GetTexture());

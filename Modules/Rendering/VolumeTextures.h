@@ -8,7 +8,7 @@
 
 #include "ScalarTexture.h"
 #include "TransferFunctionTable.h"
-#include "VolumeGeometry.h"
+#include "VolumePlacement.h"
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
@@ -45,7 +45,7 @@ public:
   void Activate();
   void Deactivate();
   void SetUniforms(
-    vtkShaderProgram* program, const VolumeGeometry& geometry, double unitDistance) const;
+    vtkShaderProgram* program, const VolumePlacement& geometry, double unitDistance) const;
 
   void Release(vtkOpenGLRenderWindow* window);
 
@@ -58,6 +58,7 @@ private:
   ScalarTexture Scalars;
   vtkTimeStamp ScalarsTime;
   vtkDataArray* LoadedScalars = nullptr;
+  double LargestGradient = 0.0;
   bool IntegerData = false;
 
   vtkNew<vtkTextureObject> Mask;

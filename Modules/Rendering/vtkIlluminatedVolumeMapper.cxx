@@ -229,7 +229,7 @@ bool vtkIlluminatedVolumeMapper::PrepareGeometry(
   vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image)
 {
   DrawnScene& scene = this->Internal->Scene;
-  if (!ComputeVolumeGeometry(image, volume->GetMatrix(), scene.Geometry))
+  if (!ComputeVolumePlacement(image, volume->GetMatrix(), scene.Geometry))
   {
     vtkErrorMacro("The volume's spacing, direction or matrix has no inverse; it is not drawn.");
     return false;
@@ -388,7 +388,7 @@ void vtkIlluminatedVolumeMapper::PlanDraws()
   scene.Plan = PlanMarching(task);
   if (scene.Plan.Coarsened)
   {
-    this->Say("Steps are longer than asked: the rays would have more than single precision can place.");
+    this->Say("Steps are longer than asked: rays would have more of them than can be drawn.");
   }
 }
 

@@ -5,10 +5,10 @@
 namespace penumbra
 {
 //------------------------------------------------------------------------------
-VolumeGeometry PlacedVolume::Geometry() const
+VolumePlacement PlacedVolume::Geometry() const
 {
-  VolumeGeometry geometry;
-  if (!ComputeVolumeGeometry(this->image, this->actorMatrix, geometry))
+  VolumePlacement geometry;
+  if (!ComputeVolumePlacement(this->image, this->actorMatrix, geometry))
   {
     throw std::runtime_error(this->name + " has no inverse");
   }
@@ -41,7 +41,7 @@ Vector3 PlacedVolume::ToWorld(const Vector3& texture) const
 }
 
 //------------------------------------------------------------------------------
-Vector3 RandomPointInBox(const VolumeGeometry& geometry, std::mt19937& generator)
+Vector3 RandomPointInBox(const VolumePlacement& geometry, std::mt19937& generator)
 {
   Vector3 point;
   for (int axis = 0; axis < 3; ++axis)

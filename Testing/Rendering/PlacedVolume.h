@@ -5,7 +5,7 @@
 #ifndef PlacedVolume_h
 #define PlacedVolume_h
 
-#include "VolumeGeometry.h"
+#include "VolumePlacement.h"
 
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
@@ -23,7 +23,7 @@ struct PlacedVolume
   vtkSmartPointer<vtkImageData> image;
   vtkSmartPointer<vtkMatrix4x4> actorMatrix;
 
-  VolumeGeometry Geometry() const;
+  VolumePlacement Geometry() const;
   /// Where texture coordinates are, by VTK's own maps.
   Vector3 ToOwn(const Vector3& texture) const;
   Vector3 ToWorld(const Vector3& texture) const;
@@ -34,7 +34,7 @@ struct PlacedVolume
 std::vector<PlacedVolume> MakePlacedVolumes();
 
 /// Even within the volume's box.
-Vector3 RandomPointInBox(const VolumeGeometry& geometry, std::mt19937& generator);
+Vector3 RandomPointInBox(const VolumePlacement& geometry, std::mt19937& generator);
 
 double GetDistance(const Vector3& a, const Vector3& b);
 double GetDotProduct(const Vector3& a, const Vector3& b);

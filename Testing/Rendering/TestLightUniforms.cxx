@@ -23,7 +23,7 @@ Vector3 ToDouble(const Vector3f& vector)
   return { vector[0], vector[1], vector[2] };
 }
 
-LightUniforms MakeUniforms(const LightsAndMaterial& scene, const VolumeGeometry& geometry)
+LightUniforms MakeUniforms(const LightsAndMaterial& scene, const VolumePlacement& geometry)
 {
   return MakeLightUniforms(scene.lights, scene.property, geometry, CameraDirection);
 }
@@ -66,7 +66,7 @@ TEST_CASE("A directional light comes from where its focal point sees it, at ever
   for (const PlacedVolume& volume : MakePlacedVolumes())
   {
     INFO(volume.name);
-    const VolumeGeometry geometry = volume.Geometry();
+    const VolumePlacement geometry = volume.Geometry();
     const LightUniforms uniforms = MakeUniforms(LightsAndMaterial({ light }), geometry);
     const Vector3 towards = { -Travel[0], -Travel[1], -Travel[2] };
     CHECK(GetDistance(ToDouble(uniforms.Direction.at(0)), towards) <= Rounding);

@@ -10,7 +10,7 @@ using namespace penumbra;
 
 namespace
 {
-LightUniforms::Vector2f GetShadow(vtkLight* light, const VolumeGeometry& geometry)
+LightUniforms::Vector2f GetShadow(vtkLight* light, const VolumePlacement& geometry)
 {
   const LightsAndMaterial scene({ light });
   return MakeLightUniforms(scene.lights, scene.property, geometry, { 0.0, 0.0, -1.0 }).Shadow.at(0);
@@ -23,7 +23,7 @@ TEST_CASE("A shadow ray begins the bias away, by default the smallest spacing")
   for (const PlacedVolume& volume : MakePlacedVolumes())
   {
     INFO(volume.name);
-    const VolumeGeometry geometry = volume.Geometry();
+    const VolumePlacement geometry = volume.Geometry();
     light->SetShadowBias(-1.0);
     const auto smallest = static_cast<float>(volume.image->GetSpacing()[0]);
     CHECK(GetShadow(light, geometry)[0] == smallest);
@@ -36,7 +36,7 @@ TEST_CASE("A shadow ray begins the bias away, by default the smallest spacing")
 
 TEST_CASE("A threshold is passed as the optical depth beyond which a hard shadow is complete")
 {
-  const VolumeGeometry geometry = MakePlacedVolumes().front().Geometry();
+  const VolumePlacement geometry = MakePlacedVolumes().front().Geometry();
   const auto light = MakeLight(LightKind::Directional, ShadowKind::Hard);
   CHECK(GetShadow(light, geometry)[1] == Approx(-std::log(0.05)));
   light->SetOpacityThreshold(0.0);
@@ -48,7 +48,7 @@ TEST_CASE("A threshold is passed as the optical depth beyond which a hard shadow
 
 TEST_CASE("A light without a direction gives finite uniforms")
 {
-  const VolumeGeometry geometry = MakePlacedVolumes().front().Geometry();
+  const VolumePlacement geometry = MakePlacedVolumes().front().Geometry();
   const auto light = MakeLight(LightKind::Directional, ShadowKind::Soft);
   light->SetFocalPoint(light->GetPosition());
   const LightsAndMaterial scene({ light });

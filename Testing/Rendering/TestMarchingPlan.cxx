@@ -10,7 +10,7 @@ using namespace penumbra;
 namespace
 {
 constexpr double LargestNumberOfIterations = 60000.0;
-constexpr double LargestNumberOfSteps = 1048576.0;
+constexpr double LargestNumberOfSteps = 65536.0;
 
 // Loop iterations of one view step, counted in the shaders: ViewRay.glsl's two loops, a search for
 // opacity and one for colour, a loop over the lights; ShadowRay.glsl's loop of four steps with a
@@ -142,4 +142,15 @@ TEST_CASE("A box without extent takes one draw of at least one step")
   CHECK(plan.Draws == 1);
   CHECK(plan.Steps >= 1);
   CHECK_FALSE(plan.Coarsened);
+}
+
+// Nothing can be done about planes: the plan still ends.
+TEST_CASE("A plan ends even where one step alone exceeds the bound")
+{
+  MarchingTask task = MakeTask(100.0, 0.5, 1.0);
+  task.Lights = task.ShadowedLights = 32;
+  task.ClippingPlanes = 3000;
+  const MarchingPlan plan = PlanMarching(task);
+  CHECK(plan.StepsPerDraw == 1);
+  CHECK(plan.Draws == plan.Steps);
 }

@@ -102,7 +102,7 @@ TEST_CASE("A gradient opacity table covers its points and keeps their values bey
   vtkNew<vtkPiecewiseFunction> function;
   function->AddPoint(5.0, 0.25);
   function->AddPoint(45.0, 0.75);
-  const GradientOpacityTable table = MakeGradientOpacityTable(function, 401);
+  const GradientOpacityTable table = MakeGradientOpacityTable(function, 401, 1e9);
   CHECK(table.Low == 5.0);
   CHECK(table.High == 45.0);
   REQUIRE(table.Opacity.size() == 401);
@@ -117,7 +117,7 @@ TEST_CASE("A gradient opacity that stays at 1 from a small gradient on keeps the
   function->AddPoint(0.0, 0.0);
   function->AddPoint(10.0, 1.0);
   function->AddPoint(65535.0, 1.0);
-  const GradientOpacityTable table = MakeGradientOpacityTable(function, 4096);
+  const GradientOpacityTable table = MakeGradientOpacityTable(function, 4096, 1e9);
   for (const double gradient : { 0.0, 2.5, 5.0, 10.0, 5000.0, 1e6 })
   {
     const double position = (gradient - table.Low) / (table.High - table.Low) * 4095.0;
@@ -130,13 +130,34 @@ TEST_CASE("A gradient opacity that stays at 1 from a small gradient on keeps the
   }
 }
 
+TEST_CASE("A gradient opacity table goes no further than the largest gradient")
+{
+  vtkNew<vtkPiecewiseFunction> function;
+  function->AddPoint(0.0, 0.0);
+  function->AddPoint(10.0, 0.9);
+  function->AddPoint(1e9, 1.0);
+  const GradientOpacityTable table = MakeGradientOpacityTable(function, 401, 100.0);
+  CHECK(table.High == 100.0);
+  CHECK(table.Opacity[20] == Approx(0.45));
+}
+
 TEST_CASE("A gradient opacity function of one value, or of none, is a table of it")
 {
   vtkNew<vtkPiecewiseFunction> function;
-  const GradientOpacityTable none = MakeGradientOpacityTable(function, 16);
+  const GradientOpacityTable none = MakeGradientOpacityTable(function, 16, 1e9);
   CHECK(none.Opacity == std::vector<float>(16, 1.0f));
   function->AddPoint(7.0, 0.5);
-  const GradientOpacityTable constant = MakeGradientOpacityTable(function, 16);
+  const GradientOpacityTable constant = MakeGradientOpacityTable(function, 16, 1e9);
   CHECK(constant.Opacity == std::vector<float>(16, 0.5f));
   CHECK(constant.High > constant.Low);
+}
+
+TEST_CASE("Functions that are not clamped are nothing beyond their points")
+{
+  OwnedFunctions owned{ { 50.0, 0.5 }, { 100.0, 0.5 } };
+  owned.opacity->ClampingOff();
+  const TransferFunctionTable table = owned.MakeTable();
+  CHECK(LookUp(table, 75.0, 1.0).extinction == Approx(ComputeExtinction(0.5, 1.0)));
+  CHECK(LookUp(table, 20.0, 1.0).extinction == 0.0);
+  CHECK(LookUp(table, 200.0, 1.0).extinction == 0.0);
 }

@@ -25,7 +25,7 @@ std::vector<View> MakeViews();
 struct ViewedVolume
 {
   PlacedVolume volume;
-  VolumeGeometry geometry;
+  VolumePlacement geometry;
   double radius; ///< of the volume in the world
   vtkNew<vtkCamera> camera;
   Matrix4 worldToClip;

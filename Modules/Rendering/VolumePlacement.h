@@ -1,5 +1,5 @@
 /**
- * @file    VolumeGeometry.h
+ * @file    VolumePlacement.h
  * @brief   where a volume and its rays are, in double precision
  *
  * Everything the shader marches in texture coordinates is composed here in double precision and only
@@ -9,8 +9,8 @@
  * the first to the last voxel centre; along an axis with a single voxel it is one spacing thick.
  */
 
-#ifndef VolumeGeometry_h
-#define VolumeGeometry_h
+#ifndef VolumePlacement_h
+#define VolumePlacement_h
 
 #include "PenumbraRenderingModule.h" // For export macro
 
@@ -37,7 +37,7 @@ PENUMBRARENDERING_EXPORT double GetLength(const Vector3& vector);
 PENUMBRARENDERING_EXPORT Vector3 Normalized(const Vector3& vector);
 
 /// The box of a volume and the maps between its frames.
-struct PENUMBRARENDERING_EXPORT VolumeGeometry
+struct PENUMBRARENDERING_EXPORT VolumePlacement
 {
   std::array<int, 3> Dimensions{};
   Matrix4 TextureToOwn{};   ///< to origin + direction * (index * spacing)
@@ -63,8 +63,8 @@ struct PENUMBRARENDERING_EXPORT VolumeGeometry
 };
 
 /// Geometry of an image under an actor's matrix. False where no inverse exists.
-PENUMBRARENDERING_EXPORT bool ComputeVolumeGeometry(
-  vtkImageData* image, vtkMatrix4x4* actorMatrix, VolumeGeometry& geometry);
+PENUMBRARENDERING_EXPORT bool ComputeVolumePlacement(
+  vtkImageData* image, vtkMatrix4x4* actorMatrix, VolumePlacement& geometry);
 
 /// Texture coordinates of cropping planes, which are given along each axis as origin + index * spacing.
 /// low and high are ordered per axis.
@@ -85,7 +85,7 @@ struct PENUMBRARENDERING_EXPORT ViewRays
 
 /// Rays of a camera. worldToClip is the whole projection, z of the near plane -1.
 PENUMBRARENDERING_EXPORT bool ComputeViewRays(
-  const VolumeGeometry& geometry, const Matrix4& worldToClip, const Vector3& eye, ViewRays& rays);
+  const VolumePlacement& geometry, const Matrix4& worldToClip, const Vector3& eye, ViewRays& rays);
 
 }
 

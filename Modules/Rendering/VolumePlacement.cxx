@@ -1,4 +1,4 @@
-#include "VolumeGeometry.h"
+#include "VolumePlacement.h"
 
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -142,7 +142,7 @@ Matrix3 FromColumns(const Vector3& a, const Vector3& b, const Vector3& c)
 // All rays leave the eye. They are based on the plane through the middle of the volume, so that an eye
 // far away costs no digits; where that plane is behind the eye, on the eye.
 void ComputePerspectiveRays(
-  const VolumeGeometry& geometry, const Matrix4& clipToTexture, const Vector3& eye, ViewRays& rays)
+  const VolumePlacement& geometry, const Matrix4& clipToTexture, const Vector3& eye, ViewRays& rays)
 {
   Vector3 direction[3];
   const int columns[3] = { 0, 1, 3 };
@@ -214,7 +214,7 @@ Vector3 Normalized(const Vector3& vector)
 }
 
 //------------------------------------------------------------------------------
-bool VolumeGeometry::CropBox(const Vector3& low, const Vector3& high)
+bool VolumePlacement::CropBox(const Vector3& low, const Vector3& high)
 {
   bool anything = true;
   for (int axis = 0; axis < 3; ++axis)
@@ -227,7 +227,7 @@ bool VolumeGeometry::CropBox(const Vector3& low, const Vector3& high)
 }
 
 //------------------------------------------------------------------------------
-double VolumeGeometry::GetDiagonal() const
+double VolumePlacement::GetDiagonal() const
 {
   double longest = 0.0;
   for (int corner = 0; corner < 4; ++corner)
@@ -244,7 +244,7 @@ double VolumeGeometry::GetDiagonal() const
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 4> VolumeGeometry::GetPlane(vtkPlane* plane) const
+std::array<double, 4> VolumePlacement::GetPlane(vtkPlane* plane) const
 {
   double normal[3];
   double origin[3];
@@ -271,21 +271,21 @@ std::array<double, 4> VolumeGeometry::GetPlane(vtkPlane* plane) const
 }
 
 //------------------------------------------------------------------------------
-Matrix3 VolumeGeometry::GetGradientToWorld() const
+Matrix3 VolumePlacement::GetGradientToWorld() const
 {
   const Matrix3 map = GetCovariantMap(this->TextureToWorld, this->Dimensions);
   return Scaled(map, 1.0 / GetLargestMagnitude(map));
 }
 
 //------------------------------------------------------------------------------
-Matrix3 VolumeGeometry::GetGradientToMagnitude() const
+Matrix3 VolumePlacement::GetGradientToMagnitude() const
 {
   return Scaled(GetCovariantMap(this->TextureToOwn, this->Dimensions), this->MeanSpacing);
 }
 
 //------------------------------------------------------------------------------
-bool ComputeVolumeGeometry(
-  vtkImageData* image, vtkMatrix4x4* actorMatrix, VolumeGeometry& geometry)
+bool ComputeVolumePlacement(
+  vtkImageData* image, vtkMatrix4x4* actorMatrix, VolumePlacement& geometry)
 {
   image->GetDimensions(geometry.Dimensions.data());
   const double* spacing = image->GetSpacing();
@@ -331,7 +331,7 @@ void ComputeCroppingPlanes(vtkImageData* image, const double planes[6], Vector3&
 
 //------------------------------------------------------------------------------
 bool ComputeViewRays(
-  const VolumeGeometry& geometry, const Matrix4& worldToClip, const Vector3& eye, ViewRays& rays)
+  const VolumePlacement& geometry, const Matrix4& worldToClip, const Vector3& eye, ViewRays& rays)
 {
   rays.TextureToClip = Multiply(worldToClip, geometry.TextureToWorld);
   std::copy_n(rays.TextureToClip.begin() + 8, 4, rays.ClipDepth.begin());

@@ -59,7 +59,7 @@ TEST_CASE("A gradient's magnitude is that of the own frame times the mean spacin
   for (const PlacedVolume& volume : MakePlacedVolumes())
   {
     INFO(volume.name);
-    const VolumeGeometry geometry = volume.Geometry();
+    const VolumePlacement geometry = volume.Geometry();
     const Vector3 differences = GetDifferences(
       volume, Gradient, [&](const Vector3& texture) { return volume.ToOwn(texture); });
     const Vector3 found = Multiply(geometry.GetGradientToMagnitude(), differences);

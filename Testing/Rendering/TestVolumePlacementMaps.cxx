@@ -24,7 +24,7 @@ TEST_CASE("Texture coordinates are where VTK's own maps say")
   for (const PlacedVolume& volume : MakePlacedVolumes())
   {
     INFO(volume.name);
-    const VolumeGeometry geometry = volume.Geometry();
+    const VolumePlacement geometry = volume.Geometry();
     for (int sample = 0; sample < 20; ++sample)
     {
       const Vector3 texture = RandomPointInBox(geometry, generator);
@@ -44,7 +44,7 @@ TEST_CASE("The box runs from the first to the last voxel centre")
   for (const PlacedVolume& volume : MakePlacedVolumes())
   {
     INFO(volume.name);
-    const VolumeGeometry geometry = volume.Geometry();
+    const VolumePlacement geometry = volume.Geometry();
     const int* extent = volume.image->GetExtent();
     Vector3 first;
     Vector3 last;
@@ -73,7 +73,7 @@ TEST_CASE("Spacings and the diagonal are measured in the volume's own frame")
   for (const PlacedVolume& volume : MakePlacedVolumes())
   {
     INFO(volume.name);
-    VolumeGeometry geometry = volume.Geometry();
+    VolumePlacement geometry = volume.Geometry();
     const double* spacing = volume.image->GetSpacing();
     CHECK(geometry.SmallestSpacing == Approx(*std::min_element(spacing, spacing + 3)));
     CHECK(geometry.MeanSpacing == Approx((spacing[0] + spacing[1] + spacing[2]) / 3.0));
@@ -94,10 +94,10 @@ TEST_CASE("A volume without an extent in the world has no geometry")
   const PlacedVolume volume = MakePlacedVolumes().front();
   vtkNew<vtkMatrix4x4> flat;
   flat->SetElement(1, 1, 0.0);
-  VolumeGeometry geometry;
-  CHECK_FALSE(ComputeVolumeGeometry(volume.image, flat, geometry));
+  VolumePlacement geometry;
+  CHECK_FALSE(ComputeVolumePlacement(volume.image, flat, geometry));
   flat->SetElement(1, 1, std::nan(""));
-  CHECK_FALSE(ComputeVolumeGeometry(volume.image, flat, geometry));
+  CHECK_FALSE(ComputeVolumePlacement(volume.image, flat, geometry));
 }
 
 TEST_CASE("Normalized vectors have the length 1, and 0 stays 0")

@@ -28,7 +28,7 @@ TEST_CASE("A clipping plane keeps the side that its normal points to")
   for (const PlacedVolume& volume : MakePlacedVolumes())
   {
     INFO(volume.name);
-    const VolumeGeometry geometry = volume.Geometry();
+    const VolumePlacement geometry = volume.Geometry();
     const Vector3 onPlane = RandomPointInBox(geometry, generator);
     Vector3 origin = volume.ToWorld(onPlane);
     vtkNew<vtkPlane> plane;
