@@ -11,7 +11,9 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <utility>
 
 namespace penumbra
 {
@@ -131,15 +133,26 @@ void CheckForMetaIO(const MetaImageHeader& header, const VoxelData& data)
     throw VolumeReadingError("HeaderSize is " + header.Needed("HeaderSize") +
       "; 0 is needed where compressed data follows the header");
   }
-  for (const char* name : { "ID", "ParentID", "ElementMin", "ElementMax", "ElementNBits" })
+  const std::size_t axes = header.numberOfAxes;
+  const std::pair<const char*, std::size_t> numbers[] = { { "ID", 1 }, { "ParentID", 1 },
+    { "CompressionLevel", 1 }, { "ElementMin", 1 }, { "ElementMax", 1 }, { "ElementNBits", 1 },
+    { "Color", 4 }, { "SequenceID", axes }, { "ElementSpacing", axes }, { "ElementSize", axes },
+    { "Offset", axes }, { "Position", axes }, { "Origin", axes },
+    { "TransformMatrix", axes * axes }, { "Rotation", axes * axes },
+    { "Orientation", axes * axes } };
+  for (const auto& [name, count] : numbers)
   {
-    header.Numbers({ name }, { 0.0 });
+    for (const double number : header.Numbers({ name }, std::vector<double>(count, 0.0)))
+    {
+      if (!std::isfinite(number))
+      {
+        throw VolumeReadingError(std::string(name) + " holds what is not a finite number");
+      }
+    }
   }
-  header.Numbers({ "Color" }, { 1.0, 1.0, 1.0, 1.0 });
   const std::uint64_t present = SizeOfFile(data.files.front()) - *data.offset;
   const auto stated = header.Value({ "CompressedDataSize" });
-  const bool isNeeded = *data.offset > 0;
-  if (isNeeded && !stated)
+  if (*data.offset > 0 && !stated)
   {
     throw VolumeReadingError(
       "its header lacks CompressedDataSize, which would be " + std::to_string(present));

@@ -55,6 +55,8 @@ TEST_CASE("MetaImages that VTK's reader cannot be trusted with are refused by na
   CHECK_THAT(
     failure(size + "Comment = " + std::string(300, 'x') + "\n"), ContainsSubstring("250 bytes"));
   CHECK_THAT(failure(size + "ID = x\n"), ContainsSubstring("ID is"));
+  CHECK_THAT(failure(size + "no key\n"), ContainsSubstring("\"no key\""));
+  CHECK_THAT(failure(size + "HeaderSize = 3\n"), ContainsSubstring("HeaderSize is 3"));
   const auto longs = Compressed(SampleBytes<int>(), false);
   CHECK_THAT(
     FailureOf(folder.Write("c.mha",
