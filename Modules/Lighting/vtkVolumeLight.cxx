@@ -33,10 +33,19 @@ vtkLight* vtkVolumeLight::ShallowClone()
   vtkVolumeLight* clone = vtkVolumeLight::New();
   clone->DeepCopy(this);
   clone->SetTransformMatrix(this->GetTransformMatrix());
-  clone->Shadow = this->Shadow;
-  clone->OpacityThreshold = this->OpacityThreshold;
-  clone->ShadowBias = this->ShadowBias;
   return clone;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeLight::DeepCopy(vtkLight* light)
+{
+  this->Superclass::DeepCopy(light);
+  if (auto* volumeLight = vtkVolumeLight::SafeDownCast(light))
+  {
+    this->SetShadow(volumeLight->GetShadow());
+    this->SetOpacityThreshold(volumeLight->GetOpacityThreshold());
+    this->SetShadowBias(volumeLight->GetShadowBias());
+  }
 }
 
 //------------------------------------------------------------------------------

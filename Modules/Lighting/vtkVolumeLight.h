@@ -73,7 +73,12 @@ public:
   ///@}
 
   /**
-   * A new light of this class with all of vtkLight's state; used by VTK to copy lights.
+   * Takes over all of another light's state; of a plain vtkLight's, what it has.
+   */
+  void DeepCopy(vtkLight* light);
+
+  /**
+   * A new light of this class with all of this one's state; used by VTK to copy lights.
    */
   vtkLight* ShallowClone() override;
 

@@ -64,21 +64,22 @@ bool AccumulationBuffer::Gather(vtkOpenGLRenderWindow* window, const Viewport& v
   vtkOpenGLState* state = window->GetState();
   {
     vtkOpenGLState::ScopedglViewport savedViewport(state);
-    vtkOpenGLState::ScopedglScissor savedScissor(state);
+    vtkOpenGLState::ScopedglEnableDisable savedScissorTest(state, GL_SCISSOR_TEST);
     vtkOpenGLState::ScopedglClearColor savedClearColor(state);
     vtkOpenGLState::ScopedglColorMask savedColorMask(state);
     vtkOpenGLState::ScopedglEnableDisable savedBlend(state, GL_BLEND);
     state->PushDrawFramebufferBinding();
     this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    state->vtkglViewport(0, 0, width, height);
-    state->vtkglScissor(0, 0, width, height);
+    state->vtkglDisable(GL_SCISSOR_TEST);
     this->Clear(window, 1);
     for (int i = 0; i < draws; ++i)
     {
       this->Clear(window, i % 2);
       this->Previous = this->Pictures[(i + 1) % 2];
       this->Previous->Activate();
+      // The ray caster reads the depth of opaque geometry where the viewport is.
+      state->vtkglViewport(viewport.X, viewport.Y, viewport.Width, viewport.Height);
       draw(i);
       this->Previous->Deactivate();
     }
@@ -91,9 +92,12 @@ bool AccumulationBuffer::Gather(vtkOpenGLRenderWindow* window, const Viewport& v
 }
 
 //------------------------------------------------------------------------------
-void AccumulationBuffer::ReplaceInsteadOfBlending(vtkOpenGLRenderWindow* window)
+void AccumulationBuffer::PreparePrimitives(vtkOpenGLRenderWindow* window)
 {
-  window->GetState()->vtkglDisable(GL_BLEND);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglViewport(0, 0, static_cast<int>(this->Previous->GetWidth()),
+    static_cast<int>(this->Previous->GetHeight()));
 }
 
 //------------------------------------------------------------------------------
@@ -106,7 +110,8 @@ int AccumulationBuffer::GetPreviousTextureUnit()
 void AccumulationBuffer::Composite(
   vtkOpenGLRenderWindow* window, const Viewport& viewport, vtkTextureObject* picture)
 {
-  if (!this->Quad)
+  // Its program is gone where its window's resources were released behind its back.
+  if (!this->Quad || !this->Quad->Program)
   {
     this->Quad = std::make_unique<vtkOpenGLQuadHelper>(
       window, nullptr, GetCompositeShaderSource().c_str(), nullptr);

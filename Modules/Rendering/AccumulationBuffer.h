@@ -38,13 +38,13 @@ public:
     int Height = 0;
   };
 
-  /// Calls draw(i) for each of the draws with the buffer bound for drawing and its viewport set to
-  /// (0, 0, width, height), then composites the result over the viewport. False without float pictures.
+  /// Calls draw(i) for each of the draws with the buffer bound for drawing, then composites the result
+  /// over the viewport. False without float pictures.
   bool Gather(vtkOpenGLRenderWindow* window, const Viewport& viewport, int width, int height, int draws,
     const std::function<void(int)>& draw);
 
-  /// To be called just before a draw's primitives: they replace what they cover.
-  static void ReplaceInsteadOfBlending(vtkOpenGLRenderWindow* window);
+  /// To be called just before a draw's primitives: they replace what they cover of the whole picture.
+  void PreparePrimitives(vtkOpenGLRenderWindow* window);
 
   /// Unit of the texture that the draw in progress reads.
   int GetPreviousTextureUnit();

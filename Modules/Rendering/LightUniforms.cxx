@@ -142,9 +142,9 @@ void LightUniforms::SetAmbient(const std::array<double, 3>& ambient, double fact
 //------------------------------------------------------------------------------
 int LightUniforms::GetLargestNumber(vtkOpenGLRenderWindow* window)
 {
-  // Arrays of vectors take four components an element; the scene's other uniforms take fewer than 128.
+  // Arrays of vectors take four components an element; the scene's other uniforms take fewer than 256.
   constexpr int componentsPerLight = 7 * 4;
-  constexpr int otherComponents = 128;
+  constexpr int otherComponents = 256;
   int components = 0;
   window->GetState()->vtkglGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &components);
   return std::max(components - otherComponents, 0) / componentsPerLight;

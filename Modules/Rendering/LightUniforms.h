@@ -38,7 +38,8 @@ struct LightUniforms
   void SetAmbient(const std::array<double, 3>& ambient, double factor);
   void Set(vtkShaderProgram* program) const;
 
-  /// How many lights fit into the uniforms of a fragment shader; OpenGL 3.2 guarantees 32.
+  /// How many lights fit into the uniforms of a fragment shader. OpenGL 3.2 guarantees 27 of them; the
+  /// drivers of graphics cards hold well over a hundred.
   static int GetLargestNumber(vtkOpenGLRenderWindow* window);
 };
 

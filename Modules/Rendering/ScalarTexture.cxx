@@ -192,13 +192,13 @@ std::vector<float> EncodeFloat(
 bool ScalarTexture::Load(
   vtkOpenGLRenderWindow* window, vtkDataArray* scalars, const std::array<int, 3>& dimensions)
 {
-  this->Range = ComputeScalarRange(scalars);
-  this->Encoding = ChooseEncoding(scalars->GetDataType(), this->Range);
   const int largest = vtkTextureObject::GetMaximumTextureSize3D(window);
   if (*std::max_element(dimensions.begin(), dimensions.end()) > largest)
   {
     return false;
   }
+  this->Range = ComputeScalarRange(scalars);
+  this->Encoding = ChooseEncoding(scalars->GetDataType(), this->Range);
   if (this->Encoding.Normalized)
   {
     std::vector<unsigned short> values = EncodeNormalized(scalars, this->Encoding);

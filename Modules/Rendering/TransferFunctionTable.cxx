@@ -199,13 +199,29 @@ std::vector<int> GetSizes(const TransferFunctionTable& table, bool integerData, 
   return sizes;
 }
 
+// Points far outside the data would take the digits of those within.
+std::vector<double> ClipToData(const TransferFunctions& functions, const std::vector<double>& scalars)
+{
+  std::vector<double> clipped = { functions.DataLow };
+  for (double scalar : scalars)
+  {
+    if (scalar > functions.DataLow && scalar < functions.DataHigh)
+    {
+      clipped.push_back(scalar);
+    }
+  }
+  clipped.push_back(functions.DataHigh);
+  return clipped;
+}
+
 void FillPoints(
-  const TransferFunctions& functions, const std::vector<double>& scalars, TransferFunctionTable& table)
+  const TransferFunctions& functions, const std::vector<TransferFunctionPoint>& points,
+  TransferFunctionTable& table)
 {
   table.Lookup = TransferFunctionLookup::Points;
-  table.Low = scalars.front();
-  table.High = scalars.back();
-  for (const TransferFunctionPoint& point : GetPoints(functions, scalars))
+  table.Low = functions.DataLow;
+  table.High = functions.DataHigh;
+  for (const TransferFunctionPoint& point : points)
   {
     table.PointScalars.push_back(point.Scalar - table.Low);
     for (double channel : point.ColorAndOpacity)
@@ -250,9 +266,15 @@ TransferFunctionTable MakeTransferFunctionTable(const TransferFunctions& functio
       return table;
     }
   }
+  table.Accurate = false;
   if (ArePiecewiseLinear(functions) && !scalars.empty())
   {
-    FillPoints(functions, scalars, table);
+    const auto points = GetPoints(functions, ClipToData(functions, scalars));
+    table.Accurate = static_cast<int>(points.size()) <= largestSize;
+    if (table.Accurate)
+    {
+      FillPoints(functions, points, table);
+    }
   }
   return table;
 }

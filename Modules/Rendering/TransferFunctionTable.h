@@ -40,6 +40,8 @@ PENUMBRARENDERING_EXPORT double ComputeExtinction(double opacity, double unitDis
 struct TransferFunctionTable
 {
   TransferFunctionLookup Lookup = TransferFunctionLookup::Table;
+  /// False where the functions change faster than the largest table can follow, and have too many points.
+  bool Accurate = true;
   double Low = 0.0; ///< scalar of the first entry
   double High = 0.0;
   std::vector<float> Extinction; ///< Table

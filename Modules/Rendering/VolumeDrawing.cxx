@@ -35,7 +35,7 @@ void VolumeDrawing::SetUniforms(vtkShaderProgram* program)
   if (this->Gathering)
   {
     program->SetUniformi("scene_accumulated", this->Accumulation.GetPreviousTextureUnit());
-    AccumulationBuffer::ReplaceInsteadOfBlending(this->Window);
+    this->Accumulation.PreparePrimitives(this->Window);
   }
 }
 

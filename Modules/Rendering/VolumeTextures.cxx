@@ -69,18 +69,21 @@ void SetSampler(vtkShaderProgram* program, const char* name, vtkTextureObject* t
 bool VolumeTextures::UpdateScalars(
   vtkOpenGLRenderWindow* window, vtkImageData* image, vtkDataArray* scalars)
 {
+  std::array<int, 3> dimensions;
+  image->GetDimensions(dimensions.data());
   if (this->Scalars.GetTexture()->GetHandle() && scalars == this->LoadedScalars &&
+    image == this->LoadedImage && dimensions == this->LoadedDimensions &&
     std::max(image->GetMTime(), scalars->GetMTime()) < this->ScalarsTime)
   {
     return true;
   }
-  std::array<int, 3> dimensions;
-  image->GetDimensions(dimensions.data());
   if (!this->Scalars.Load(window, scalars, dimensions))
   {
     return false;
   }
   this->LoadedScalars = scalars;
+  this->LoadedImage = image;
+  this->LoadedDimensions = dimensions;
   this->LargestGradient = BoundGradient(this->Scalars.GetRange(), image->GetSpacing());
   this->IntegerData = IsInteger(scalars->GetDataType());
   this->ScalarsTime.Modified();
@@ -96,7 +99,7 @@ bool VolumeTextures::UpdateMask(vtkOpenGLRenderWindow* window, vtkImageData* mas
     this->LoadedMask = nullptr;
     return true;
   }
-  if (mask == this->LoadedMask && mask->GetMTime() < this->MaskTime)
+  if (this->Mask->GetHandle() && mask == this->LoadedMask && mask->GetMTime() < this->MaskTime)
   {
     return true;
   }
@@ -286,6 +289,7 @@ void VolumeTextures::Release(vtkOpenGLRenderWindow* window)
     texture->ReleaseGraphicsResources(window);
   }
   this->LoadedScalars = nullptr;
+  this->LoadedImage = nullptr;
   this->LoadedMask = nullptr;
   this->LoadedProperty = nullptr;
 }

@@ -38,6 +38,7 @@ public:
 
   bool HasNonFiniteScalars() const { return !this->Scalars.GetRange().AllFinite; }
   bool HasMask() const { return this->LoadedMask != nullptr; }
+  bool AreTransferFunctionsAccurate() const { return this->Table.Accurate; }
   TransferFunctionLookup GetLookup() const { return this->Table.Lookup; }
   /// Halvings that a search among the points takes; 0 for a table.
   int GetLookupIterations() const;
@@ -58,6 +59,8 @@ private:
   ScalarTexture Scalars;
   vtkTimeStamp ScalarsTime;
   vtkDataArray* LoadedScalars = nullptr;
+  vtkImageData* LoadedImage = nullptr;
+  std::array<int, 3> LoadedDimensions{};
   double LargestGradient = 0.0;
   bool IntegerData = false;
 

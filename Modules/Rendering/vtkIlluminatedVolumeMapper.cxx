@@ -55,6 +55,7 @@ class vtkIlluminatedVolumeMapper::Internals
 public:
   DrawnScene Scene;
   VolumeDrawing Drawing;
+  bool AnythingVisible = true;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::vector<std::string> Messages;
   std::set<std::string> MessagesGiven;
@@ -166,6 +167,10 @@ void vtkIlluminatedVolumeMapper::DrawStock(vtkRenderer* renderer, vtkVolume* vol
       switchedOff.push_back(light);
     }
   }
+  if (!switchedOff.empty())
+  {
+    this->Say("The stock ray caster takes six lights; the others are left out.");
+  }
   const float askedSampleDistance = this->SampleDistance;
   this->SampleDistance = static_cast<float>(this->GetSampleDistanceOrDefault());
   this->Superclass::GPURender(renderer, volume);
@@ -208,7 +213,10 @@ void vtkIlluminatedVolumeMapper::DrawIlluminated(
   }
   this->PrepareLights(renderer, volume->GetProperty());
   this->PlanDraws();
-  this->Draw(renderer);
+  if (this->Internal->AnythingVisible)
+  {
+    this->Draw(renderer);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -242,11 +250,12 @@ bool vtkIlluminatedVolumeMapper::PrepareGeometry(
     vtkErrorMacro("The camera's projection has no inverse; the volume is not drawn.");
     return false;
   }
-  return this->PrepareVisibility(image);
+  this->PrepareVisibility(image);
+  return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkIlluminatedVolumeMapper::PrepareVisibility(vtkImageData* image)
+void vtkIlluminatedVolumeMapper::PrepareVisibility(vtkImageData* image)
 {
   DrawnScene& scene = this->Internal->Scene;
   scene.ClippingPlanes.clear();
@@ -257,13 +266,16 @@ bool vtkIlluminatedVolumeMapper::PrepareVisibility(vtkImageData* image)
       scene.Geometry.GetPlane(this->ClippingPlanes->GetItem(plane)));
   }
   scene.CroppingFlags = this->Cropping ? this->CroppingRegionFlags : 0;
-  if (!this->Cropping)
+  this->Internal->AnythingVisible = true;
+  if (this->Cropping)
   {
-    return true;
+    ComputeCroppingPlanes(image, this->CroppingRegionPlanes, scene.CroppingLow, scene.CroppingHigh);
   }
-  ComputeCroppingPlanes(image, this->CroppingRegionPlanes, scene.CroppingLow, scene.CroppingHigh);
-  return scene.CroppingFlags != VTK_CROP_SUBVOLUME ||
-    scene.Geometry.CropBox(scene.CroppingLow, scene.CroppingHigh);
+  if (scene.CroppingFlags == VTK_CROP_SUBVOLUME)
+  {
+    this->Internal->AnythingVisible =
+      scene.Geometry.CropBox(scene.CroppingLow, scene.CroppingHigh);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -291,6 +303,10 @@ bool vtkIlluminatedVolumeMapper::PrepareTextures(vtkOpenGLRenderWindow* window,
     return false;
   }
   textures.UpdateTransferFunctions(window, property);
+  if (!textures.AreTransferFunctionsAccurate())
+  {
+    this->Say("The transfer functions change faster than the largest table can follow.");
+  }
   this->Internal->Scene.UnitDistance = property->GetScalarOpacityUnitDistance(0);
   return true;
 }
@@ -413,6 +429,12 @@ void vtkIlluminatedVolumeMapper::Draw(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 void vtkIlluminatedVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
+  vtkOpenGLRenderWindow* current = this->Internal->Window;
+  if (current && current != window)
+  {
+    // Nothing of this mapper lives in that window.
+    return;
+  }
   this->Internal->Drawing.Release(vtkOpenGLRenderWindow::SafeDownCast(window));
   this->Superclass::ReleaseGraphicsResources(window);
 }

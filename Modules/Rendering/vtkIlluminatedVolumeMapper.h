@@ -134,7 +134,7 @@ protected:
   double GetSampleDistanceOrDefault();
   void MoveTo(vtkOpenGLRenderWindow* window);
   bool PrepareGeometry(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
-  bool PrepareVisibility(vtkImageData* image);
+  void PrepareVisibility(vtkImageData* image);
   bool PrepareTextures(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property,
     vtkImageData* image, vtkDataArray* scalars);
   void CollectLights(

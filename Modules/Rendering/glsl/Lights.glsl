@@ -50,8 +50,20 @@ float shadowReach(Reflection reflected, float end)
   return any(greaterThan(reflected.diffuse + reflected.specular, vec3(0.0))) ? end : 0.0;
 }
 
+// Beyond this optical depth what a soft shadow lets through is under a tenth of a grey level of 255.
+float darkeningDepth(Reflection reflected)
+{
+  vec3 light = reflected.diffuse + reflected.specular;
+  return 8.0 + log(max(1.0, max(light.r, max(light.g, light.b))));
+}
+
 void addReflection(inout Reflection sum, Reflection reflected, float visibility)
 {
   sum.diffuse += visibility * reflected.diffuse;
   sum.specular += visibility * reflected.specular;
+}
+
+void addUnshadowedLight(LightedPoint point, int light, Illumination illumination, inout Reflection sum)
+{
+  addReflection(sum, reflectLight(point, light, illumination), 1.0);
 }

@@ -11,25 +11,19 @@ void addDirectionalLights(LightedPoint point, inout Reflection sum)
 #if DIRECTIONAL_UNSHADOWED > 0
   for (int light = DIRECTIONAL_FIRST; light < DIRECTIONAL_FIRST + DIRECTIONAL_UNSHADOWED; ++light)
   {
-    addReflection(sum, reflectLight(point, light, directionalLight(point, light)), 1.0);
+    addUnshadowedLight(point, light, directionalLight(point, light), sum);
   }
 #endif
 #if DIRECTIONAL_SOFT > 0
   for (int light = DIRECTIONAL_SOFT_FIRST; light < DIRECTIONAL_SOFT_FIRST + DIRECTIONAL_SOFT; ++light)
   {
-    Illumination illumination = directionalLight(point, light);
-    Reflection reflected = reflectLight(point, light, illumination);
-    illumination.segment.end = shadowReach(reflected, illumination.segment.end);
-    addReflection(sum, reflected, softVisibility(point.position, illumination.segment));
+    addSoftLight(point, light, directionalLight(point, light), sum);
   }
 #endif
 #if DIRECTIONAL_HARD > 0
   for (int light = DIRECTIONAL_HARD_FIRST; light < DIRECTIONAL_HARD_FIRST + DIRECTIONAL_HARD; ++light)
   {
-    Illumination illumination = directionalLight(point, light);
-    Reflection reflected = reflectLight(point, light, illumination);
-    illumination.segment.end = shadowReach(reflected, illumination.segment.end);
-    addReflection(sum, reflected, hardVisibility(point.position, illumination.segment));
+    addHardLight(point, light, directionalLight(point, light), sum);
   }
 #endif
 }

@@ -15,25 +15,19 @@ void addSpotLights(LightedPoint point, inout Reflection sum)
 #if SPOT_UNSHADOWED > 0
   for (int light = SPOT_FIRST; light < SPOT_FIRST + SPOT_UNSHADOWED; ++light)
   {
-    addReflection(sum, reflectLight(point, light, spotLight(point, light)), 1.0);
+    addUnshadowedLight(point, light, spotLight(point, light), sum);
   }
 #endif
 #if SPOT_SOFT > 0
   for (int light = SPOT_SOFT_FIRST; light < SPOT_SOFT_FIRST + SPOT_SOFT; ++light)
   {
-    Illumination illumination = spotLight(point, light);
-    Reflection reflected = reflectLight(point, light, illumination);
-    illumination.segment.end = shadowReach(reflected, illumination.segment.end);
-    addReflection(sum, reflected, softVisibility(point.position, illumination.segment));
+    addSoftLight(point, light, spotLight(point, light), sum);
   }
 #endif
 #if SPOT_HARD > 0
   for (int light = SPOT_HARD_FIRST; light < SPOT_HARD_FIRST + SPOT_HARD; ++light)
   {
-    Illumination illumination = spotLight(point, light);
-    Reflection reflected = reflectLight(point, light, illumination);
-    illumination.segment.end = shadowReach(reflected, illumination.segment.end);
-    addReflection(sum, reflected, hardVisibility(point.position, illumination.segment));
+    addHardLight(point, light, spotLight(point, light), sum);
   }
 #endif
 }

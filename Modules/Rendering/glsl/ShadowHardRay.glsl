@@ -7,3 +7,10 @@ float hardVisibility(vec3 position, ShadowSegment towardsLight)
     towardsLight.enough);
   return depth > towardsLight.enough ? 0.0 : 1.0;
 }
+
+void addHardLight(LightedPoint point, int light, Illumination illumination, inout Reflection sum)
+{
+  Reflection reflected = reflectLight(point, light, illumination);
+  illumination.segment.end = shadowReach(reflected, illumination.segment.end);
+  addReflection(sum, reflected, hardVisibility(point.position, illumination.segment));
+}

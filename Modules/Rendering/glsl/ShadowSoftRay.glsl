@@ -1,8 +1,15 @@
-// Semi-transparent occluders dim the light by their transmittance. Beyond an optical depth of 8 what is
-// left is under a tenth of a grey level of 255.
+// Semi-transparent occluders dim the light by their transmittance.
 
 float softVisibility(vec3 position, ShadowSegment towardsLight)
 {
-  return exp(-opticalDepth(
-    position, towardsLight.direction, towardsLight.begin, towardsLight.end, 8.0));
+  return exp(-opticalDepth(position, towardsLight.direction, towardsLight.begin, towardsLight.end,
+    towardsLight.enough));
+}
+
+void addSoftLight(LightedPoint point, int light, Illumination illumination, inout Reflection sum)
+{
+  Reflection reflected = reflectLight(point, light, illumination);
+  illumination.segment.end = shadowReach(reflected, illumination.segment.end);
+  illumination.segment.enough = darkeningDepth(reflected);
+  addReflection(sum, reflected, softVisibility(point.position, illumination.segment));
 }
