@@ -16,6 +16,9 @@
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
 
+#include <array>
+#include <vector>
+
 namespace penumbra
 {
 namespace
@@ -71,12 +74,16 @@ void MoveOpacity(vtkVolume* volume)
   double range[2];
   mapper->GetInput()->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
   vtkPiecewiseFunction* opacity = volume->GetProperty()->GetScalarOpacity();
-  for (int i = 0; i < opacity->GetSize(); ++i)
+  std::vector<std::array<double, 4>> nodes(static_cast<std::size_t>(opacity->GetSize()));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
   {
-    double node[4];
-    opacity->GetNodeValue(i, node);
-    node[0] += PartOfRange * (range[1] - range[0]);
-    opacity->SetNodeValue(i, node);
+    opacity->GetNodeValue(static_cast<int>(i), nodes[i].data());
+  }
+  // One by one, nodes would pass each other, and those at one scalar would change their order.
+  opacity->RemoveAllPoints();
+  for (const auto& [scalar, value, midpoint, sharpness] : nodes)
+  {
+    opacity->AddPoint(scalar + PartOfRange * (range[1] - range[0]), value, midpoint, sharpness);
   }
 }
 }

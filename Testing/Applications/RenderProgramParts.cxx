@@ -22,6 +22,9 @@
 #include <vtkVolumeLight.h>
 #include <vtkVolumeProperty.h>
 
+#include <array>
+#include <vector>
+
 using namespace penumbra;
 
 namespace
@@ -29,16 +32,17 @@ namespace
 // Looks along -z from (0,0,10) at the origin, with y up.
 struct ChangingScene
 {
-  explicit ChangingScene(const std::string& lights)
+  explicit ChangingScene(
+    const std::string& lights, const std::string& opacity = "[[0,0],[100,1]]")
     : Volume(MakeRamp({}, 0))
-    , Rendering(Resolve(lights), { this->Volume, nullptr })
+    , Rendering(Resolve(lights, opacity), { this->Volume, nullptr })
   {
   }
 
-  SceneDescription Resolve(const std::string& lights) const
+  SceneDescription Resolve(const std::string& lights, const std::string& opacity) const
   {
     SceneDescription scene = ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd" },
-      "transferFunction": { "opacity": [[0,0],[100,1]] },
+      "transferFunction": { "opacity": )" + opacity + R"( },
       "camera": { "position": [0,0,10], "focalPoint": [0,0,0], "viewUp": [0,1,0] },
       "lights": [)" + lights + "] }"),
       "");
@@ -98,6 +102,32 @@ TEST_CASE("The other changes change what they say by a little")
   const double* eye = scene.Rendering.GetRenderer()->GetActiveCamera()->GetPosition();
   CHECK(eye[0] == Approx(10.0 * sine));
   CHECK(eye[2] == Approx(10.0 * cosine));
+}
+
+TEST_CASE("Steps of the opacity stay as they are where it moves")
+{
+  ChangingScene scene("{}", "[[0,0.5],[100,0],[100,1],[100.3,1],[100.3,0.25],[200,0]]");
+  vtkPiecewiseFunction* opacity = scene.Rendering.GetVolume()->GetProperty()->GetScalarOpacity();
+  std::vector<std::array<double, 4>> before(static_cast<std::size_t>(opacity->GetSize()));
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    opacity->GetNodeValue(static_cast<int>(i), before[i].data());
+  }
+  constexpr int moves = 10;
+  for (int i = 0; i < moves; ++i)
+  {
+    ChangeScene(scene.Rendering, SceneChange::Opacity);
+  }
+  REQUIRE(opacity->GetSize() == static_cast<int>(before.size()));
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    double after[4];
+    opacity->GetNodeValue(static_cast<int>(i), after);
+    CHECK(after[0] == Approx(before[i][0] + 0.255 * moves));
+    CHECK(after[1] == before[i][1]);
+    CHECK(after[2] == before[i][2]);
+    CHECK(after[3] == before[i][3]);
+  }
 }
 
 TEST_CASE("A change of a light needs a light")
