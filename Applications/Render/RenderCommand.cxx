@@ -140,8 +140,13 @@ void RefuseReadingErrors(vtkMessageCollector* messages)
   }
 }
 
+std::string TextOf(const SceneDescription& scene, const fs::path& file)
+{
+  return WriteScene(scene, fs::absolute(file).parent_path());
+}
+
 void WriteOutputs(CommandOutputs& outputs, const RenderedFrames& frames,
-  const SceneDescription& scene, vtkImageData* volume, vtkIlluminatedVolumeMapper* mapper,
+  const std::string& savedScene, vtkImageData* volume, vtkIlluminatedVolumeMapper* mapper,
   const std::vector<std::string>& warnings)
 {
   if (outputs.Picture)
@@ -154,8 +159,7 @@ void WriteOutputs(CommandOutputs& outputs, const RenderedFrames& frames,
   }
   if (outputs.Scene)
   {
-    const auto folder = fs::absolute(outputs.Scene->GetPath()).parent_path();
-    outputs.Scene->Write(WriteScene(scene, folder));
+    outputs.Scene->Write(savedScene);
   }
   for (OutputFile* file : outputs.All())
   {
@@ -175,6 +179,7 @@ void Execute(const RenderCommand& command, vtkMessageCollector* messages)
   const SceneVoxels voxels = ReadVoxels(scene.Volume, warnings);
   RefuseReadingErrors(messages);
   ResolveScene(scene, voxels.Volume);
+  const std::string savedScene = command.SavedScene ? TextOf(scene, *command.SavedScene) : "";
 
   SceneRendering rendering(scene, voxels);
   const auto window = MakeWindow(rendering, scene.Image.Size);
@@ -200,7 +205,7 @@ void Execute(const RenderCommand& command, vtkMessageCollector* messages)
     CollectWarnings(mapper->GetMessages(), warnings);
   }
   CollectWarnings(messages->GetWarnings(), warnings);
-  WriteOutputs(outputs, frames, scene, voxels.Volume, mapper, warnings);
+  WriteOutputs(outputs, frames, savedScene, voxels.Volume, mapper, warnings);
   for (const std::string& warning : warnings)
   {
     std::cerr << "warning: " << warning << "\n";

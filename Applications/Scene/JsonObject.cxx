@@ -81,6 +81,20 @@ std::string NumberRange::Describe() const
 }
 
 //------------------------------------------------------------------------------
+bool IsUtf8(const std::string& text)
+{
+  try
+  {
+    nlohmann::json(text).dump();
+    return true;
+  }
+  catch (const nlohmann::json::type_error&)
+  {
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string ValueInWords(const nlohmann::json& value)
 {
   std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);

@@ -45,6 +45,9 @@ constexpr NumberRange ZeroToOne{ 0.0, 1.0 };
 /// VTK keeps the length of a step in single precision.
 constexpr NumberRange StepLengths{ 1e-30, 1e30 };
 
+/// Whether a text is valid UTF-8, which all texts in JSON are.
+bool IsUtf8(const std::string& text);
+
 /// A JSON value on one line, shortened for a message.
 std::string ValueInWords(const nlohmann::json& value);
 

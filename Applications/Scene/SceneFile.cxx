@@ -16,15 +16,20 @@ namespace penumbra
 {
 namespace
 {
-// Refuses keys that stand twice in one object, of which JSON readers silently take the last.
-class DuplicateKeyFinder
+// Refuses keys that stand twice in one object, of which JSON readers silently take the last, and
+// more levels than what follows values by recursion can take.
+class StructureCheck
 {
 public:
-  bool operator()(int, nlohmann::json::parse_event_t event, const nlohmann::json& parsed)
+  bool operator()(int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed)
   {
     switch (event)
     {
+      case nlohmann::json::parse_event_t::array_start:
+        RefuseDeeper(depth);
+        break;
       case nlohmann::json::parse_event_t::object_start:
+        RefuseDeeper(depth);
         this->KeysOfOpenObjects.emplace_back();
         break;
       case nlohmann::json::parse_event_t::key:
@@ -43,6 +48,15 @@ public:
   }
 
 private:
+  static void RefuseDeeper(int levels)
+  {
+    if (levels >= MostJsonLevels)
+    {
+      throw InputError("arrays and objects are nested more than " +
+        std::to_string(MostJsonLevels) + " levels deep; no scene needs as many");
+    }
+  }
+
   std::vector<std::set<std::string>> KeysOfOpenObjects;
 };
 
@@ -98,8 +112,8 @@ nlohmann::json ParseJson(const std::string& text)
 {
   try
   {
-    DuplicateKeyFinder duplicates;
-    return nlohmann::json::parse(text, std::ref(duplicates));
+    StructureCheck check;
+    return nlohmann::json::parse(text, std::ref(check));
   }
   catch (const nlohmann::json::exception& error)
   {

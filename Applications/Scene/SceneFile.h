@@ -17,12 +17,14 @@
 namespace penumbra
 {
 
+constexpr int MostJsonLevels = 100;
+
 /// Whether a file is a scene, going by its name; anything else is a volume.
 bool IsSceneFile(const std::filesystem::path& file);
 
 /**
- * JSON of which no object has a key twice.
- * @throw InputError with line and column where it is not.
+ * JSON of which no object has a key twice, with at most MostJsonLevels levels.
+ * @throw InputError where it is not, with line and column where it is not JSON.
  */
 nlohmann::json ParseJson(const std::string& text);
 

@@ -128,12 +128,21 @@ nlohmann::json& Enter(nlohmann::json& parent, const Path& path, std::size_t dept
 //------------------------------------------------------------------------------
 void ApplySetting(nlohmann::json& scene, const std::string& setting)
 {
+  if (!IsUtf8(setting))
+  {
+    throw InputError("the setting " + ValueInWords(setting) + " is not valid UTF-8");
+  }
   const auto equals = setting.find('=');
   const Path path = SplitPath(setting.substr(0, equals));
   if (equals == std::string::npos || std::count(path.begin(), path.end(), "") > 0)
   {
     throw InputError("the setting \"" + setting +
       "\" is not of the form key.path=value, such as image.size=[256,256]");
+  }
+  if (path.size() > static_cast<std::size_t>(MostJsonLevels))
+  {
+    throw InputError("the setting " + ValueInWords(setting) + " names a key more than " +
+      std::to_string(MostJsonLevels) + " levels deep; no scene needs as many");
   }
   if (!scene.is_object())
   {

@@ -1,5 +1,6 @@
 #include "SceneWriter.h"
 
+#include "JsonObject.h"
 #include "ScalarTypes.h"
 
 #include <nlohmann/json.hpp>
@@ -11,16 +12,22 @@ namespace
 // Keeps the order in which keys are added.
 using Json = nlohmann::ordered_json;
 
-std::string NameFrom(const std::filesystem::path& folder, const std::filesystem::path& file)
+std::string NameFrom(const std::filesystem::path& folder, const std::filesystem::path& file,
+  const std::string& key)
 {
   const auto base = std::filesystem::absolute(folder).lexically_normal();
   const auto relative = file.lexically_relative(base);
-  return (relative.empty() ? file : relative).generic_u8string();
+  const std::string name = (relative.empty() ? file : relative).generic_u8string();
+  if (!IsUtf8(name))
+  {
+    RefuseValue(key, name, "a name in UTF-8, as no other can be written to a scene file");
+  }
+  return name;
 }
 
 Json WriteVolume(const VolumeDescription& volume, const std::filesystem::path& folder)
 {
-  Json json = { { "file", NameFrom(folder, volume.File) } };
+  Json json = { { "file", NameFrom(folder, volume.File, "volume.file") } };
   if (volume.Dimensions && volume.ScalarType)
   {
     json["dimensions"] = *volume.Dimensions;
@@ -38,7 +45,7 @@ Json WriteVolume(const VolumeDescription& volume, const std::filesystem::path& f
   }
   if (volume.Mask)
   {
-    json["mask"] = NameFrom(folder, *volume.Mask);
+    json["mask"] = NameFrom(folder, *volume.Mask, "volume.mask");
   }
   return json;
 }

@@ -214,6 +214,26 @@ TEST_CASE("A volume that is read is not written over")
   CHECK((ReadAll(file) == volume)); // not printed, as it is binary where this fails
 }
 
+TEST_CASE("A scene that JSON cannot hold is not rendered to be saved")
+{
+  const BrightCorner folder;
+  std::error_code error;
+  const std::filesystem::path odd = folder.PathOf("\xff.raw");
+  std::filesystem::copy_file(folder.PathOf("corner.raw"), odd, error);
+  if (error)
+  {
+    return; // this file system has no such names
+  }
+  const auto before = folder.Names();
+  const auto result = RunPenumbraRender(
+    { odd.string(), "--set", "volume.dimensions=[8,8,8]", "--set", "volume.scalarType=uint8",
+      "--save-scene", folder.PathOf("saved.json"), "--output", folder.PathOf("a.png") });
+  CHECK(result.exitStatus == 2);
+  CHECK(IsOneLine(result.error));
+  CHECK_THAT(result.error, Catch::Matchers::ContainsSubstring("UTF-8"));
+  CHECK(folder.Names() == before);
+}
+
 TEST_CASE("Help and version go to stdout with status 0")
 {
   const auto help = RunPenumbraRender({ "--help" });

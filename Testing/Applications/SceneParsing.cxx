@@ -265,3 +265,27 @@ TEST_CASE("A scene without a volume says which key is missing")
   CHECK_THROWS_WITH(ParseScene(ParseJson(R"({ "volume": {} })"), ""),
     Catch::Matchers::ContainsSubstring("volume.file"));
 }
+
+TEST_CASE("JSON of more than a hundred open levels is refused")
+{
+  const auto nested = [](int levels)
+  {
+    std::string text;
+    for (int level = 0; level < levels; ++level)
+    {
+      text += level % 2 == 0 ? "[" : "{\"a\":";
+    }
+    text += "0";
+    for (int level = levels; level-- > 0;)
+    {
+      text += level % 2 == 0 ? "]" : "}";
+    }
+    return text;
+  };
+  CHECK_NOTHROW(ParseJson(nested(100)));
+  CHECK_THROWS_AS(ParseJson(nested(101)), InputError);
+  CHECK_THROWS_WITH(
+    ParseJson(std::string(300000, '[')), Catch::Matchers::ContainsSubstring("100 levels"));
+  CHECK_THROWS_WITH(
+    ParseJson(nested(300000)), Catch::Matchers::ContainsSubstring("100 levels"));
+}

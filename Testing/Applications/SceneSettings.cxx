@@ -68,3 +68,19 @@ TEST_CASE("A setting that fits no scene is refused")
   CHECK_THROWS_WITH(
     Set(R"({ "renderer": "vtk" })", setting), Catch::Matchers::ContainsSubstring(setting));
 }
+
+TEST_CASE("A setting is UTF-8 and nests as deep as scene files may")
+{
+  CHECK(Set("{}", "lights.0.name=\xc3\xa9")["lights"][0]["name"] == "\xc3\xa9");
+  CHECK_THROWS_AS(Set("{}", "lights.0.name=\xff"), InputError);
+  CHECK_THROWS_AS(Set("{}", "\xff=1"), InputError);
+
+  std::string path = "a";
+  for (int depth = 1; depth < 60000; ++depth)
+  {
+    path += ".a";
+  }
+  CHECK_NOTHROW(Set("{}", path.substr(0, 199) + "=1"));
+  CHECK_THROWS_AS(Set("{}", path.substr(0, 201) + "=1"), InputError);
+  CHECK_THROWS_AS(Set("{}", path + "=1"), InputError);
+}

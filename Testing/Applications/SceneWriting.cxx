@@ -1,6 +1,7 @@
 #include "Catch.h"
 #include "SyntheticVolumes.h"
 
+#include "InputError.h"
 #include "SceneDefaults.h"
 #include "SceneFile.h"
 #include "SceneParser.h"
@@ -84,4 +85,14 @@ TEST_CASE("A saved scene finds its files from its own folder")
   const auto saved = ParseJson(WriteScene(scene, "/a/c/d"));
   CHECK(saved["volume"]["file"] == "../../b/sub/v.raw");
   CHECK(saved["volume"]["mask"] == "../../b/m.raw");
+}
+
+TEST_CASE("A file whose name JSON cannot hold is refused by its key")
+{
+  const auto key = GENERATE(values<std::string>({ "volume.file", "volume.mask" }));
+  SceneDescription scene = Resolved(everything, "/a");
+  (key == "volume.file" ? scene.Volume.File : *scene.Volume.Mask) = "/a/\xff.raw";
+  CHECK_THROWS_AS(WriteScene(scene, "/a"), InputError);
+  CHECK_THROWS_WITH(WriteScene(scene, "/a"),
+    Catch::Matchers::StartsWith(key + " is ") && Catch::Matchers::ContainsSubstring("UTF-8"));
 }
