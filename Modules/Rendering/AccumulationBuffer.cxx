@@ -5,18 +5,11 @@
 #include "OpenGLEnumerants.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
 namespace penumbra
 {
-
-//------------------------------------------------------------------------------
-AccumulationBuffer::AccumulationBuffer() = default;
-
-//------------------------------------------------------------------------------
-AccumulationBuffer::~AccumulationBuffer() = default;
 
 //------------------------------------------------------------------------------
 bool AccumulationBuffer::Resize(vtkOpenGLRenderWindow* window, int width, int height)
@@ -110,17 +103,9 @@ int AccumulationBuffer::GetPreviousTextureUnit()
 void AccumulationBuffer::Composite(
   vtkOpenGLRenderWindow* window, const Viewport& viewport, vtkTextureObject* picture)
 {
-  // Its program is gone where its window's resources were released behind its back.
-  if (!this->Quad || !this->Quad->Program)
-  {
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(
-      window, nullptr, GetCompositeShaderSource().c_str(), nullptr);
-  }
-  else
-  {
-    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
-  }
-  if (!this->Quad->Program)
+  // The window's shader cache keeps the program; a quad that is kept would outlive it.
+  vtkOpenGLQuadHelper quad(window, nullptr, GetCompositeShaderSource().c_str(), nullptr);
+  if (!quad.Program)
   {
     return;
   }
@@ -138,15 +123,14 @@ void AccumulationBuffer::Composite(
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   state->vtkglDepthMask(GL_FALSE);
   picture->Activate();
-  this->Quad->Program->SetUniformi("scene_accumulated", picture->GetTextureUnit());
-  this->Quad->Render();
+  quad.Program->SetUniformi("scene_accumulated", picture->GetTextureUnit());
+  quad.Render();
   picture->Deactivate();
 }
 
 //------------------------------------------------------------------------------
 void AccumulationBuffer::Release(vtkOpenGLRenderWindow* window)
 {
-  this->Quad.reset();
   for (auto& picture : this->Pictures)
   {
     picture->ReleaseGraphicsResources(window);

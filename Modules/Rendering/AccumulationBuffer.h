@@ -15,9 +15,7 @@
 
 #include <array>
 #include <functional>
-#include <memory>
 
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 
 namespace penumbra
@@ -26,9 +24,6 @@ namespace penumbra
 class AccumulationBuffer
 {
 public:
-  AccumulationBuffer();
-  ~AccumulationBuffer();
-
   /// A viewport in pixels of the window.
   struct Viewport
   {
@@ -59,7 +54,6 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::array<vtkNew<vtkTextureObject>, 2> Pictures;
   vtkTextureObject* Previous = nullptr;
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };
 
 }

@@ -124,3 +124,32 @@ TEST_CASE("Points are exact far from 0")
   CheckOpacity(owned, table, 1e7 + 1.99, 0.1);
   CheckOpacity(owned, table, 1e7 + 2.01, 0.9);
 }
+
+// Single precision has to tell the points within the data apart.
+TEST_CASE("Points far outside the data take no digits from those within")
+{
+  OwnedFunctions owned{ { -1e8, 0.0 }, { 0.5, 0.0 }, { 0.5, 0.8 }, { 1e8, 0.8 } };
+  owned.SetRange(0.0, 1.0);
+  const TransferFunctionTable table = owned.MakeTable();
+  REQUIRE(table.Lookup == TransferFunctionLookup::Points);
+  CHECK(table.Accurate);
+  for (double scalar : table.PointScalars)
+  {
+    CHECK((scalar >= 0.0 && scalar <= 1.0));
+  }
+  CheckOpacity(owned, table, 0.4999, 0.0);
+  CheckOpacity(owned, table, 0.5001, 0.8);
+}
+
+TEST_CASE("More points than a texture holds are told")
+{
+  OwnedFunctions owned{ { 0.0, 0.0 } };
+  for (int i = 1; i < 20000; ++i)
+  {
+    owned.opacity->AddPoint(255.0 * i / 20000.0, i % 2 ? 0.9 : 0.1);
+  }
+  const TransferFunctionTable table = owned.MakeTable();
+  CHECK_FALSE(table.Accurate);
+  CHECK(table.Lookup == TransferFunctionLookup::Table);
+  CHECK(table.GetSize() > 0);
+}

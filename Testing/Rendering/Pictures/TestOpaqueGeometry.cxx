@@ -50,8 +50,9 @@ void AddWall(IlluminatedScene& scene, double z)
 TEST_CASE("Opaque geometry: a wall through the volume hides what is behind it", "[window]")
 {
   const bool parallel = GENERATE(false, true);
-  const double imageSampleDistance = GENERATE(1.0, 1.0001);
+  const double imageSampleDistance = GENERATE(1.0, 1.0001, 2.0, 0.5);
   auto clipped = MakeScene(parallel);
+  clipped->Mapper->SetImageSampleDistance(imageSampleDistance);
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(0.0, 0.0, 19.0);
   plane->SetNormal(0.0, 0.0, 1.0);
@@ -64,6 +65,26 @@ TEST_CASE("Opaque geometry: a wall through the volume hides what is behind it", 
   // The depth buffer has 24 bits and the pictures 8.
   CHECK(difference.largest <= 1.0);
   CHECK(CompareImages(walled->Render(), MakeScene(parallel)->Render()).rmse > 1.0);
+}
+
+// Lights too faint to see make the picture need several draws.
+TEST_CASE("Opaque geometry: a picture in several draws meets it in every viewport", "[window]")
+{
+  auto scene = MakeScene(false);
+  AddWall(*scene, 19.0);
+  scene->Window->SetSize(192, 96);
+  scene->Renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
+  const auto single = scene->Render();
+  for (int i = 0; i < 90; ++i)
+  {
+    auto* light = scene->AddDirectionalLight(0.1 * i, -0.4, -1.0, vtkVolumeLight::Soft);
+    light->SetDiffuseColor(1e-9, 0.0, 0.0);
+    light->SetSpecularColor(0.0, 0.0, 0.0);
+    light->SetAmbientColor(0.0, 0.0, 0.0);
+  }
+  const auto several = scene->Render();
+  CHECK(scene->Mapper->GetNumberOfDraws() > 1);
+  CHECK(CompareImages(several, single).largest <= 1.0);
 }
 
 TEST_CASE("Opaque geometry: a wall in front hides all, one behind nothing", "[window]")

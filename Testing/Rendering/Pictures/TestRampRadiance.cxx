@@ -75,3 +75,23 @@ TEST_CASE("Ramp: a soft shadow dims by 1 / (1 + cos v / cos l)", "[ramp]")
   const double expected = Red * Diffuse * cosLight / (1.0 + cosView / cosLight);
   CHECK(GetRed(*scene, viewAngle) == Approx(expected).epsilon(OnePercent));
 }
+
+// Seen from the dark side: the light passes an optical depth of T - u to the depth u, so that
+// c = min(k exp(u - T), 1) and L = integral of c exp(-u) du.
+TEST_CASE("Ramp: a strong light's shadow is as deep as its strength needs", "[ramp]")
+{
+  constexpr double intensity = 1000.0;
+  auto scene = MakeRampScene(0.0, vtkVolumeLight::Soft);
+  scene->Opacity->RemoveAllPoints();
+  scene->Opacity->AddPoint(0.0, 0.08);
+  scene->GetLight()->SetIntensity(intensity);
+  scene->Mapper->SetSampleDistance(0.25f);
+  scene->Mapper->SetShadowSampleDistance(0.25);
+  const double strength = intensity * Diffuse * Red;
+  const double depth = -127.0 * std::log(1.0 - 0.08);
+  const double saturated = depth - std::log(strength);
+  const double expected =
+    strength * std::exp(-depth) * saturated + std::exp(-saturated) - std::exp(-depth);
+  // From behind, along the gradient; half a grey level of rounding and the steps.
+  CHECK(GetRed(*scene, 180.0) == Approx(expected).margin(0.6 / 255.0).epsilon(OnePercent));
+}
