@@ -3,7 +3,8 @@
  * @brief   a file that is there either whole or not at all
  *
  * Whether it can be written is found out when it is named, before any work is done for it. Its
- * content goes to another name beside it and takes its own name last.
+ * content goes to another name beside it and takes its own name last. Where the name is that of a
+ * symbolic link, what it leads to is written, and the link stays.
  */
 
 #ifndef OutputFile_h
@@ -18,7 +19,8 @@ namespace penumbra
 class OutputFile
 {
 public:
-  /// @throw InputError where no file can be written there. `option` names it in the message.
+  /// @throw InputError where no file can be written there, or where a link leads to a file with
+  /// another extension, which is of another kind. `option` names it in the message.
   OutputFile(const std::string& option, const std::filesystem::path& file);
   ~OutputFile();
   OutputFile(OutputFile&& other) noexcept;
@@ -26,7 +28,8 @@ public:
   OutputFile& operator=(const OutputFile&) = delete;
   OutputFile& operator=(OutputFile&&) = delete;
 
-  const std::filesystem::path& GetPath() const { return this->Path; }
+  /// The file that is written; where a link was named, what it leads to.
+  const std::filesystem::path& GetTarget() const { return this->Target; }
 
   /// Writes the content under the other name. @throw RenderingError where that fails.
   void Write(const std::string& content);
@@ -37,6 +40,7 @@ public:
 private:
   std::string Option;
   std::filesystem::path Path;
+  std::filesystem::path Target;
   std::filesystem::path Unfinished;
 };
 

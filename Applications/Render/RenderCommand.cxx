@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
 namespace penumbra
 {
@@ -36,12 +37,11 @@ void TellProgress(const std::string& what)
 
 bool AreSame(const fs::path& left, const fs::path& right)
 {
-  const auto whole = [](const fs::path& path)
-  {
-    std::error_code ignored;
-    return fs::weakly_canonical(fs::absolute(path), ignored);
-  };
-  return whole(left) == whole(right);
+  std::error_code ignored;
+  const auto whole = [&ignored](const fs::path& path)
+  { return fs::weakly_canonical(fs::absolute(path), ignored); };
+  // The second also knows of letters that the file system does not tell apart.
+  return whole(left) == whole(right) || fs::equivalent(left, right, ignored);
 }
 
 // The files that a command writes; each is refused before any work where it cannot be written.
@@ -54,8 +54,8 @@ struct CommandOutputs
       this->Format = FormatOf(*command.Output);
     }
     this->Open("--output", command.Output, this->Picture);
-    this->Open("--report", command.Report, this->Report);
-    this->Open("--save-scene", command.SavedScene, this->Scene);
+    this->OpenJson("--report", command.Report, this->Report);
+    this->OpenJson("--save-scene", command.SavedScene, this->Scene);
   }
 
   std::vector<OutputFile*> All()
@@ -75,9 +75,18 @@ struct CommandOutputs
   {
     for (OutputFile* file : this->All())
     {
-      if (AreSame(file->GetPath(), input))
+      RefuseToOverwrite(*file, input);
+    }
+  }
+
+  // A scene may be saved over itself.
+  void RefuseToOverwriteScene(const fs::path& input)
+  {
+    for (auto* file : { &this->Picture, &this->Report })
+    {
+      if (*file)
       {
-        throw InputError(input.u8string() + " is read by this scene and cannot be written too");
+        RefuseToOverwrite(**file, input);
       }
     }
   }
@@ -88,6 +97,14 @@ struct CommandOutputs
   std::optional<OutputFile> Scene;
 
 private:
+  static void RefuseToOverwrite(const OutputFile& file, const fs::path& input)
+  {
+    if (AreSame(file.GetTarget(), input))
+    {
+      throw InputError(input.u8string() + " is read by this command and cannot be written too");
+    }
+  }
+
   void Open(
     const std::string& option, const std::optional<fs::path>& path, std::optional<OutputFile>& file)
   {
@@ -95,14 +112,26 @@ private:
     {
       return;
     }
+    OutputFile opened(option, *path);
     for (OutputFile* other : this->All())
     {
-      if (AreSame(other->GetPath(), *path))
+      if (AreSame(other->GetTarget(), opened.GetTarget()))
       {
         throw InputError(option + " is " + path->u8string() + ", which is written to already");
       }
     }
-    file.emplace(option, *path);
+    file.emplace(std::move(opened));
+  }
+
+  // No data file that a header names is called so, and none is written over by mistake.
+  void OpenJson(
+    const std::string& option, const std::optional<fs::path>& path, std::optional<OutputFile>& file)
+  {
+    this->Open(option, path, file);
+    if (path && !IsSceneFile(*path))
+    {
+      throw InputError(option + " is " + path->u8string() + "; accepted: a name that ends in .json");
+    }
   }
 };
 
@@ -114,6 +143,7 @@ SceneDescription LoadCommandScene(const RenderCommand& command, CommandOutputs& 
     CheckChange(*command.Change, scene.Lights.size());
   }
   outputs.RefuseToOverwrite(scene.Volume.File);
+  outputs.RefuseToOverwriteScene(command.Input);
   if (scene.Volume.Mask)
   {
     outputs.RefuseToOverwrite(*scene.Volume.Mask);

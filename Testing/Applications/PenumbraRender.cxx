@@ -214,6 +214,48 @@ TEST_CASE("A volume that is read is not written over")
   CHECK((ReadAll(file) == volume)); // not printed, as it is binary where this fails
 }
 
+TEST_CASE("Files that a scene is read from are not written over")
+{
+  const TemporaryFolder folder;
+  folder.Write("v.zraw", "abcdefgh");
+  const std::string volume = folder.Write("v.mhd",
+    "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\n"
+    "ElementDataFile = v.zraw\n");
+  const std::string scene =
+    folder.Write("scene.json", R"({ "volume": { "file": "v.mhd" }, "image": { "size": [8,8] } })");
+  const std::string link = folder.PathOf("link.json");
+  std::filesystem::create_symlink("v.zraw", link);
+  const std::string linkToScene = folder.PathOf("scene link.json");
+  std::filesystem::create_symlink("scene.json", linkToScene);
+  const auto before = folder.Names();
+  const auto uses = std::vector<std::vector<std::string>>{ { scene, "--report", scene },
+    { scene, "--report", linkToScene }, { linkToScene, "--report", scene },
+    { scene, "--report", folder.PathOf("v.zraw") }, { scene, "--save-scene", volume },
+    { scene, "--save-scene", folder.PathOf("v.zraw") }, { volume, "--report", link },
+    { volume, "--report", folder.PathOf("v.zraw") }, { volume, "--save-scene", link } };
+  for (const auto& use : uses)
+  {
+    const auto contents = [&]
+    { return ReadAll(scene) + ReadAll(volume) + ReadAll(folder.PathOf("v.zraw")); };
+    const std::string read = contents();
+    const auto result = RunPenumbraRender(use);
+    INFO(use[0] << " " << use[1] << " " << use[2] << ": " << result.error);
+    CHECK(result.exitStatus == 2);
+    CHECK(IsOneLine(result.error));
+    CHECK(contents() == read);
+    CHECK(folder.Names() == before);
+  }
+}
+
+TEST_CASE("A scene may be saved over itself")
+{
+  const BrightCorner folder;
+  const auto result = RunPenumbraRender({ folder.Scene, "--save-scene", folder.Scene });
+  INFO(result.error);
+  CHECK(result.exitStatus == 0);
+  CHECK(nlohmann::json::parse(ReadAll(folder.Scene)).contains("sampleDistance"));
+}
+
 TEST_CASE("A scene that JSON cannot hold is not rendered to be saved")
 {
   const BrightCorner folder;

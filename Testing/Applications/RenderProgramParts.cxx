@@ -158,6 +158,46 @@ TEST_CASE("A file appears when it is complete, and only then")
   CHECK(ReadAll(folder.PathOf("kept")) == "new");
 }
 
+TEST_CASE("A file's name may be as long as the file system takes it")
+{
+  const TemporaryFolder folder;
+  const std::string name = std::string(246, 'n') + ".json";
+  {
+    OutputFile file("--report", folder.PathOf(name));
+    file.Write("new");
+    file.Commit();
+  }
+  CHECK(folder.Names() == std::vector<std::string>{ name });
+  CHECK_THROWS_WITH(OutputFile("--report", folder.PathOf(std::string(300, 'n') + ".json")),
+    !Catch::Matchers::ContainsSubstring("no file can be written to the folder"));
+  CHECK(folder.Names() == std::vector<std::string>{ name });
+}
+
+TEST_CASE("A file that is named by a link is written where the link leads")
+{
+  const TemporaryFolder folder;
+  folder.Write("kept/there.json", "old");
+  const std::string target = GENERATE("kept/there.json", "kept/not yet.json");
+  std::filesystem::create_symlink(target, folder.PathOf("second.json"));
+  std::filesystem::create_symlink(folder.PathOf("second.json"), folder.PathOf("first.json"));
+  OutputFile file("--report", folder.PathOf("first.json"));
+  file.Write("new");
+  file.Commit();
+  CHECK(std::filesystem::is_symlink(folder.PathOf("first.json")));
+  CHECK(std::filesystem::is_symlink(folder.PathOf("second.json")));
+  CHECK(std::filesystem::is_regular_file(folder.PathOf(target)));
+  CHECK(ReadAll(folder.PathOf(target)) == "new");
+  CHECK(folder.Names() == std::vector<std::string>{ "first.json", "kept", "second.json" });
+}
+
+TEST_CASE("A link that leads in a circle is refused")
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("b.json", folder.PathOf("a.json"));
+  std::filesystem::create_symlink("a.json", folder.PathOf("b.json"));
+  CHECK_THROWS_AS(OutputFile("--report", folder.PathOf("a.json")), InputError);
+}
+
 TEST_CASE("VTK's messages are kept once, in one line, without their origin")
 {
   vtkNew<vtkMessageCollector> messages;
