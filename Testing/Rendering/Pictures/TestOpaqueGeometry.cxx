@@ -28,12 +28,12 @@ std::unique_ptr<IlluminatedScene> MakeScene(bool parallel)
   return scene;
 }
 
-// A wall of the background's colour across the whole view, facing the camera.
-void AddWall(IlluminatedScene& scene, double z)
+// A wall of the background's colour, facing the camera, from the left of the view up to an x.
+void AddWall(IlluminatedScene& scene, double z, double right = 200.0)
 {
   vtkNew<vtkPlaneSource> source;
   source->SetOrigin(-200.0, -200.0, z);
-  source->SetPoint1(200.0, -200.0, z);
+  source->SetPoint1(right, -200.0, z);
   source->SetPoint2(-200.0, 200.0, z);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(source->GetOutputPort());
@@ -65,6 +65,21 @@ TEST_CASE("Opaque geometry: a wall through the volume hides what is behind it", 
   // The depth buffer has 24 bits and the pictures 8.
   CHECK(difference.largest <= 1.0);
   CHECK(CompareImages(walled->Render(), MakeScene(parallel)->Render()).rmse > 1.0);
+}
+
+// Fewer or more rays than pixels only blur; the wall's edge stays where it is.
+TEST_CASE("Opaque geometry: half a wall hides the same half with any number of rays", "[window]")
+{
+  const double imageSampleDistance = GENERATE(2.0, 0.5);
+  auto full = MakeScene(false);
+  AddWall(*full, 30.0, 12.0);
+  const auto expected = full->Render();
+  auto sampled = MakeScene(false);
+  AddWall(*sampled, 30.0, 12.0);
+  sampled->Mapper->SetImageSampleDistance(imageSampleDistance);
+  const ImageDifference difference = CompareImages(sampled->Render(), expected);
+  INFO("rmse " << difference.rmse << " ssim " << difference.ssim);
+  CHECK(difference.ssim > 0.97);
 }
 
 // Lights too faint to see make the picture need several draws.
