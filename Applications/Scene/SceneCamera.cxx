@@ -32,7 +32,7 @@ constexpr double NearestClippingPlane = 1e-4;
 
 double SineBetween(const Vector3& a, const Vector3& b)
 {
-  return Length(Cross(Normalized(a), Normalized(b)));
+  return Length(Cross(UnitVector(a), UnitVector(b)));
 }
 
 template <std::size_t Size>
@@ -47,7 +47,7 @@ const Vector3& FirstAcross(const Vector3 (&candidates)[Size], const Vector3& dir
 double FittingDistance(const CameraDescription& camera, const Vector3& focalPoint,
   const Vector3& toEye, const VolumeBox& box, double aspect)
 {
-  const Vector3 right = Normalized(Cross(*camera.ViewUp, toEye));
+  const Vector3 right = UnitVector(Cross(*camera.ViewUp, toEye));
   const Vector3 up = Cross(toEye, right);
   const double slope = std::tan(vtkMath::RadiansFromDegrees(camera.ViewAngle) / 2.0);
   double distance = 0.0;
@@ -105,7 +105,7 @@ void ResolveCamera(CameraDescription& camera, const VolumeBox& box, double aspec
   if (!camera.Position)
   {
     const Vector3 toEye =
-      Normalized(camera.ViewUp ? FirstAcross(DefaultDirectionsToEye, *camera.ViewUp)
+      UnitVector(camera.ViewUp ? FirstAcross(DefaultDirectionsToEye, *camera.ViewUp)
                                : DefaultDirectionsToEye[0]);
     camera.ViewUp = camera.ViewUp.value_or(DefaultViewUps[0]);
     const double distance = FittingDistance(camera, *camera.FocalPoint, toEye, box, aspect);
@@ -161,7 +161,7 @@ CameraAxes::CameraAxes(vtkCamera* camera)
   camera->GetDirectionOfProjection(direction.data());
   camera->GetViewUp(up.data());
   this->Backward = Scaled(direction, -1.0);
-  this->Right = Normalized(Cross(direction, up));
+  this->Right = UnitVector(Cross(direction, up));
   this->Up = Cross(this->Backward, this->Right);
 }
 

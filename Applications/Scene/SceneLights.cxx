@@ -27,7 +27,7 @@ Vector3 PositionOf(const LightDescription& light)
 
 Vector3 DirectionOf(const LightDescription& light)
 {
-  return light.Type == LightType::Point ? Vector3{ 0.0, 0.0, -1.0 } : Normalized(light.Direction);
+  return light.Type == LightType::Point ? Vector3{ 0.0, 0.0, -1.0 } : UnitVector(light.Direction);
 }
 }
 

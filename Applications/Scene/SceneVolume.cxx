@@ -73,7 +73,7 @@ void AddClippingPlanes(
   {
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(scene.ClippingPlanes[i].Origin.data());
-    plane->SetNormal(Normalized(scene.ClippingPlanes[i].Normal).data());
+    plane->SetNormal(UnitVector(scene.ClippingPlanes[i].Normal).data());
     mapper->AddClippingPlane(plane);
   }
 }

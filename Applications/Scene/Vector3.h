@@ -45,8 +45,8 @@ inline double Length(const Vector3& a)
   return std::hypot(a[0], a[1], a[2]);
 }
 
-/// `a` must not be zero, but may be as small or large as numbers go.
-inline Vector3 Normalized(const Vector3& a)
+/// `a` over its length. `a` must not be zero, but may be as small or large as numbers go.
+inline Vector3 UnitVector(const Vector3& a)
 {
   const double largest = std::max({ std::abs(a[0]), std::abs(a[1]), std::abs(a[2]) });
   const Vector3 b = { a[0] / largest, a[1] / largest, a[2] / largest };

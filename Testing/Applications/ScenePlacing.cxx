@@ -7,6 +7,7 @@
 #include "SceneFile.h"
 #include "SceneParser.h"
 #include "SceneRendering.h"
+#include "VolumePlacement.h"
 
 #include <nlohmann/json.hpp>
 
@@ -202,4 +203,13 @@ TEST_CASE("A camera that is partly given and does not go with the volume is refu
   const Vector3 center = VolumeBox(volume, SceneDescription().Volume.Transform).GetCenter();
   const std::string position = nlohmann::json(center).dump();
   CHECK_THROWS_AS(Resolve(R"(, "camera": { "position": )" + position + "}", volume), InputError);
+}
+
+TEST_CASE("A scene's unit vectors are not the modules', of which zero has one")
+{
+  const Vector3 tiny = UnitVector({ 0.0, 3e-300, -4e-300 });
+  CHECK(tiny[0] == 0.0);
+  CHECK(tiny[1] == Approx(0.6));
+  CHECK(tiny[2] == Approx(-0.8));
+  CHECK(Normalized({ 0.0, 0.0, 0.0 }) == Vector3{ 0.0, 0.0, 0.0 });
 }
