@@ -130,7 +130,8 @@ private:
     this->Open(option, path, file);
     if (path && !IsSceneFile(*path))
     {
-      throw InputError(option + " is " + path->u8string() + "; accepted: a name that ends in .json");
+      throw InputError(
+        option + " is " + path->u8string() + "; accepted: a name that ends in .json");
     }
   }
 };
