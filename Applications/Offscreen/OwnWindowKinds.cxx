@@ -59,12 +59,8 @@ OffscreenContextMaker ContextMaker([[maybe_unused]] WindowKind kind)
 
 std::string WhyNoX()
 {
-#if defined(__unix__)
   const char* display = std::getenv("DISPLAY");
   return display && *display ? "" : "there is no X server (DISPLAY is not set)";
-#else
-  return "";
-#endif
 }
 }
 

@@ -3,7 +3,8 @@
  * @brief What each supported version of VTK has to say about the kinds of windows.
  *
  * VTK 9.4 and newer have all kinds themselves (VTKWindowKinds.cxx); older ones are given
- * vtkOffscreenWindow (OwnWindowKinds.cxx).
+ * vtkOffscreenWindow (OwnWindowKinds.cxx) where windows are of an X server, and elsewhere have
+ * their own alone (NativeWindowKind.cxx).
  */
 #ifndef WindowKinds_h
 #define WindowKinds_h
