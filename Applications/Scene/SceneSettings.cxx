@@ -136,8 +136,8 @@ void ApplySetting(nlohmann::json& scene, const std::string& setting)
   const Path path = SplitPath(setting.substr(0, equals));
   if (equals == std::string::npos || std::count(path.begin(), path.end(), "") > 0)
   {
-    throw InputError("the setting \"" + setting +
-      "\" is not of the form key.path=value, such as image.size=[256,256]");
+    throw InputError("the setting " + ValueInWords(setting) +
+      " is not of the form key.path=value, such as image.size=[256,256]");
   }
   if (path.size() > static_cast<std::size_t>(MostJsonLevels))
   {
@@ -159,7 +159,7 @@ void ApplySetting(nlohmann::json& scene, const std::string& setting)
   }
   catch (const InputError& error)
   {
-    throw InputError("the setting \"" + setting + "\": " + error.what());
+    throw InputError("the setting " + ValueInWords(setting) + ": " + error.what());
   }
 }
 

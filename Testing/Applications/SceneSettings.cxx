@@ -84,3 +84,19 @@ TEST_CASE("A setting is UTF-8 and nests as deep as scene files may")
   CHECK_THROWS_AS(Set("{}", path.substr(0, 201) + "=1"), InputError);
   CHECK_THROWS_AS(Set("{}", path + "=1"), InputError);
 }
+
+TEST_CASE("A long setting is shortened in messages")
+{
+  for (const std::string& setting : { "a=" + std::string(30000, '['), std::string(30000, 'a') })
+  {
+    try
+    {
+      Set("{}", setting);
+      FAIL("was accepted");
+    }
+    catch (const InputError& error)
+    {
+      CHECK(std::string(error.what()).size() < 300);
+    }
+  }
+}
