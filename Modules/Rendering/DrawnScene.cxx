@@ -29,13 +29,13 @@ void DrawnScene::SetGeometryUniforms(vtkShaderProgram* program) const
   Vector3 voxel;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int count = this->Geometry.Dimensions[axis];
+    const int count = this->Placement.Dimensions[axis];
     voxel[axis] = count > 1 ? 1.0 / count : 0.0;
   }
   SetUniform(program, "scene_voxel", voxel);
-  SetUniform(program, "scene_textureToOwn", GetLinearPart(this->Geometry.TextureToOwn));
-  SetUniform(program, "scene_textureToWorld", GetLinearPart(this->Geometry.TextureToWorld));
-  SetUniform(program, "scene_gradientToWorld", this->Geometry.GetGradientToWorld());
+  SetUniform(program, "scene_textureToOwn", GetLinearPart(this->Placement.TextureToOwn));
+  SetUniform(program, "scene_textureToWorld", GetLinearPart(this->Placement.TextureToWorld));
+  SetUniform(program, "scene_gradientToWorld", this->Placement.GetGradientToWorld());
   SetUniform(program, "scene_sampleDistance", this->Plan.SampleDistance);
   SetUniform(program, "scene_shadowSampleDistance", this->Plan.ShadowSampleDistance);
 }
@@ -53,8 +53,8 @@ void DrawnScene::SetRayUniforms(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void DrawnScene::SetVisibilityUniforms(vtkShaderProgram* program) const
 {
-  SetUniform(program, "scene_boxLow", this->Geometry.BoxLow);
-  SetUniform(program, "scene_boxHigh", this->Geometry.BoxHigh);
+  SetUniform(program, "scene_boxLow", this->Placement.BoxLow);
+  SetUniform(program, "scene_boxHigh", this->Placement.BoxHigh);
   SetUniform(program, "scene_croppingLow", this->CroppingLow);
   SetUniform(program, "scene_croppingHigh", this->CroppingHigh);
   program->SetUniformi("scene_croppingFlags", this->CroppingFlags);

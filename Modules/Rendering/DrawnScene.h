@@ -9,6 +9,7 @@
 #include "LightUniforms.h"
 #include "LightingRequirements.h"
 #include "MarchingPlan.h"
+#include "ViewRays.h"
 #include "VolumePlacement.h"
 
 #include <array>
@@ -21,7 +22,7 @@ namespace penumbra
 
 struct DrawnScene
 {
-  VolumePlacement Geometry;
+  VolumePlacement Placement;
   ViewRays Rays;
   LightingRequirements Requirements;
   LightUniforms Lights;

@@ -30,10 +30,10 @@ LightUniforms::Vector3f Scaled(const double color[3], double factor)
   return ToFloat({ color[0] * factor, color[1] * factor, color[2] * factor });
 }
 
-// The lights that matter, in the order of Lights.glsl; lights of one group keep the renderer's order.
-std::vector<vtkLight*> SortLights(vtkLightCollection* lights, vtkVolumeProperty* property)
+template <typename Visitor>
+void VisitLightsThatMatter(
+  vtkLightCollection* lights, vtkVolumeProperty* property, Visitor visit)
 {
-  std::vector<vtkLight*> sorted;
   vtkCollectionSimpleIterator cursor;
   lights->InitTraversal(cursor);
   while (vtkLight* light = lights->GetNextLight(cursor))
@@ -41,9 +41,16 @@ std::vector<vtkLight*> SortLights(vtkLightCollection* lights, vtkVolumeProperty*
     if (light->GetSwitch() &&
       LightsMatter(light, property->GetDiffuse(0), property->GetSpecular(0)))
     {
-      sorted.push_back(light);
+      visit(light);
     }
   }
+}
+
+// The lights that matter, in the order of Lights.glsl; lights of one group keep the renderer's order.
+std::vector<vtkLight*> SortLights(vtkLightCollection* lights, vtkVolumeProperty* property)
+{
+  std::vector<vtkLight*> sorted;
+  VisitLightsThatMatter(lights, property, [&](vtkLight* light) { sorted.push_back(light); });
   const auto group = [](vtkLight* light) {
     return NumberOfShadowKinds * static_cast<int>(GetLightKind(light)) +
       static_cast<int>(GetShadowKind(light));
@@ -63,7 +70,7 @@ Vector3 GetTravelDirection(vtkLight* light)
 }
 
 // Where the shadow ray begins and the optical depth beyond which a hard shadow is complete.
-LightUniforms::Vector2f GetShadow(vtkLight* light, const VolumePlacement& geometry)
+LightUniforms::Vector2f GetShadow(vtkLight* light, const VolumePlacement& placement)
 {
   auto* volumeLight = vtkVolumeLight::SafeDownCast(light);
   if (!volumeLight)
@@ -71,39 +78,57 @@ LightUniforms::Vector2f GetShadow(vtkLight* light, const VolumePlacement& geomet
     return { 0.0f, 0.0f };
   }
   const double bias = volumeLight->GetShadowBias();
-  return { static_cast<float>(bias >= 0.0 ? bias : geometry.SmallestSpacing),
+  return { static_cast<float>(bias >= 0.0 ? bias : placement.SmallestSpacing),
     static_cast<float>(ComputeExtinction(volumeLight->GetOpacityThreshold(), 1.0)) };
 }
 
 // Direction of a shadow ray in texture coordinates per length of the own frame.
-Vector3 GetShadowDirection(const VolumePlacement& geometry, const Vector3& towardsLight)
+Vector3 GetShadowDirection(const VolumePlacement& placement, const Vector3& towardsLight)
 {
-  const Vector3 direction = MultiplyDirection(geometry.WorldToTexture, towardsLight);
-  const double length = GetLength(MultiplyDirection(geometry.TextureToOwn, direction));
+  const Vector3 direction = MultiplyDirection(placement.WorldToTexture, towardsLight);
+  const double length = GetLength(MultiplyDirection(placement.TextureToOwn, direction));
   const double factor = length > 0.0 ? 1.0 / length : 0.0;
   return { direction[0] * factor, direction[1] * factor, direction[2] * factor };
 }
 
-void AddDirectional(LightUniforms& uniforms, const VolumePlacement& geometry, const Vector3& travel)
+void AddDirectional(LightUniforms& uniforms, const VolumePlacement& placement, const Vector3& travel)
 {
   const Vector3 towardsLight = { -travel[0], -travel[1], -travel[2] };
-  uniforms.Position.push_back(ToFloat(GetShadowDirection(geometry, towardsLight)));
+  uniforms.Position.push_back(ToFloat(GetShadowDirection(placement, towardsLight)));
   uniforms.Direction.push_back(ToFloat(towardsLight));
 }
 
-void AddPositional(LightUniforms& uniforms, const VolumePlacement& geometry, vtkLight* light)
+void AddPositional(LightUniforms& uniforms, const VolumePlacement& placement, vtkLight* light)
 {
   double position[3];
   light->GetTransformedPosition(position);
   uniforms.Position.push_back(
-    ToFloat(MultiplyPoint(geometry.WorldToTexture, { position[0], position[1], position[2] })));
+    ToFloat(MultiplyPoint(placement.WorldToTexture, { position[0], position[1], position[2] })));
   uniforms.Direction.push_back(ToFloat(GetTravelDirection(light)));
 }
 }
 
 //------------------------------------------------------------------------------
+int CollectLights(vtkLightCollection* all, vtkVolumeProperty* property, int largestNumber,
+  vtkLightCollection* collected)
+{
+  int left = 0;
+  VisitLightsThatMatter(all, property, [&](vtkLight* light) {
+    if (collected->GetNumberOfItems() < largestNumber)
+    {
+      collected->AddItem(light);
+    }
+    else
+    {
+      ++left;
+    }
+  });
+  return left;
+}
+
+//------------------------------------------------------------------------------
 LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* property,
-  const VolumePlacement& geometry, const Vector3& cameraDirection)
+  const VolumePlacement& placement, const Vector3& cameraDirection)
 {
   LightUniforms uniforms;
   uniforms.SetAmbient(ComputeAmbientLight(lights), property->GetAmbient(0));
@@ -112,12 +137,12 @@ LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* p
   {
     if (GetLightKind(light) == LightKind::Directional)
     {
-      AddDirectional(uniforms, geometry,
+      AddDirectional(uniforms, placement,
         light->LightTypeIsHeadlight() ? cameraDirection : GetTravelDirection(light));
     }
     else
     {
-      AddPositional(uniforms, geometry, light);
+      AddPositional(uniforms, placement, light);
     }
     const double intensity = light->GetIntensity();
     uniforms.Diffuse.push_back(
@@ -128,7 +153,7 @@ LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* p
     const double coneAngle = vtkMath::RadiansFromDegrees(light->GetConeAngle());
     uniforms.Cone.push_back(
       { static_cast<float>(std::cos(coneAngle)), static_cast<float>(light->GetExponent()) });
-    uniforms.Shadow.push_back(GetShadow(light, geometry));
+    uniforms.Shadow.push_back(GetShadow(light, placement));
   }
   return uniforms;
 }

@@ -43,10 +43,15 @@ struct LightUniforms
   static int GetLargestNumber(vtkOpenGLRenderWindow* window);
 };
 
+/// Adds those of all lights that are on and matter to collected, as many as the largest number; how many
+/// are left out.
+int CollectLights(vtkLightCollection* all, vtkVolumeProperty* property, int largestNumber,
+  vtkLightCollection* collected);
+
 /// The lights of a collection that are on and matter, and their ambient light. cameraDirection: unit
 /// direction of projection, along which headlights shine.
 LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* property,
-  const VolumePlacement& geometry, const Vector3& cameraDirection);
+  const VolumePlacement& placement, const Vector3& cameraDirection);
 
 }
 

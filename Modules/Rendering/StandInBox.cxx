@@ -35,7 +35,7 @@ StandInBox::StandInBox()
 StandInBox::~StandInBox() = default;
 
 //------------------------------------------------------------------------------
-void StandInBox::Place(const VolumePlacement& geometry)
+void StandInBox::Place(const VolumePlacement& placement)
 {
   // Sides in world lengths: the ray caster moves the near plane by a fraction of the clipping range.
   double sides[3];
@@ -45,17 +45,17 @@ void StandInBox::Place(const VolumePlacement& geometry)
   for (int axis = 0; axis < 3; ++axis)
   {
     Vector3 edge{};
-    edge[axis] = geometry.FullBoxHigh[axis] - geometry.FullBoxLow[axis];
-    const Vector3 side = MultiplyDirection(geometry.TextureToWorld, edge);
+    edge[axis] = placement.FullBoxHigh[axis] - placement.FullBoxLow[axis];
+    const Vector3 side = MultiplyDirection(placement.TextureToWorld, edge);
     sides[axis] = GetLength(side);
     this->BoxToTexture[5 * axis] = edge[axis] / sides[axis];
-    this->BoxToTexture[4 * axis + 3] = geometry.FullBoxLow[axis];
+    this->BoxToTexture[4 * axis + 3] = placement.FullBoxLow[axis];
     for (int row = 0; row < 3; ++row)
     {
       matrix->SetElement(row, axis, side[row] / sides[axis]);
     }
   }
-  const Vector3 corner = MultiplyPoint(geometry.TextureToWorld, geometry.FullBoxLow);
+  const Vector3 corner = MultiplyPoint(placement.TextureToWorld, placement.FullBoxLow);
   for (int row = 0; row < 3; ++row)
   {
     matrix->SetElement(row, 3, corner[row]);

@@ -33,7 +33,7 @@ public:
   ~StandInBox();
 
   /// Places the box where the volume is.
-  void Place(const VolumePlacement& geometry);
+  void Place(const VolumePlacement& placement);
   /// Maps the box's own coordinates to clip coordinates.
   Matrix4 GetBoxToClip(const Matrix4& textureToClip) const;
   /// One draw, its program and uniforms decided by the pass.

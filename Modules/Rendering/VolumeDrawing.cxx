@@ -31,7 +31,7 @@ void VolumeDrawing::SetUniforms(vtkShaderProgram* program)
   program->SetUniformi("scene_lastStep", this->Current.LastStep);
   SetUniform(program, "scene_boxToClip", this->Box.GetBoxToClip(this->Scene->Rays.TextureToClip));
   this->Scene->SetUniforms(program);
-  this->Textures.SetUniforms(program, this->Scene->Geometry, this->Scene->UnitDistance);
+  this->Textures.SetUniforms(program, this->Scene->Placement, this->Scene->UnitDistance);
   if (this->Gathering)
   {
     program->SetUniformi("scene_accumulated", this->Accumulation.GetPreviousTextureUnit());
@@ -70,7 +70,7 @@ VolumeDrawing::Result VolumeDrawing::Draw(
   this->Scene = &scene;
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->Gathering = scene.Plan.Draws > 1 || imageSampleDistance != 1.0;
-  this->Box.Place(scene.Geometry);
+  this->Box.Place(scene.Placement);
   this->Pass->Select(scene.Requirements, this->Gathering);
   this->Pass->ExpectDraw();
   this->Textures.Activate();

@@ -1,6 +1,6 @@
 /**
  * @file    VolumePlacement.h
- * @brief   where a volume and its rays are, in double precision
+ * @brief   where a volume is, in double precision
  *
  * Everything the shader marches in texture coordinates is composed here in double precision and only
  * the products become floats: volumes far from the origin, tiny or huge ones keep their digits.
@@ -28,6 +28,9 @@ using Vector3 = std::array<double, 3>;
 using Matrix3 = std::array<double, 9>;
 using Matrix4 = std::array<double, 16>;
 
+PENUMBRARENDERING_EXPORT Matrix4 Multiply(const Matrix4& a, const Matrix4& b);
+/// False where there is no finite inverse.
+PENUMBRARENDERING_EXPORT bool Invert(const Matrix4& matrix, Matrix4& inverse);
 /// Product of a matrix's linear part and a vector.
 PENUMBRARENDERING_EXPORT Vector3 MultiplyDirection(const Matrix4& matrix, const Vector3& direction);
 /// Image of a point under an affine matrix.
@@ -62,30 +65,14 @@ struct PENUMBRARENDERING_EXPORT VolumePlacement
   Matrix3 GetGradientToMagnitude() const;
 };
 
-/// Geometry of an image under an actor's matrix. False where no inverse exists.
+/// Placement of an image under an actor's matrix. False where no inverse exists.
 PENUMBRARENDERING_EXPORT bool ComputeVolumePlacement(
-  vtkImageData* image, vtkMatrix4x4* actorMatrix, VolumePlacement& geometry);
+  vtkImageData* image, vtkMatrix4x4* actorMatrix, VolumePlacement& placement);
 
 /// Texture coordinates of cropping planes, which are given along each axis as origin + index * spacing.
 /// low and high are ordered per axis.
 PENUMBRARENDERING_EXPORT void ComputeCroppingPlanes(
   vtkImageData* image, const double planes[6], Vector3& low, Vector3& high);
-
-/// View rays in texture coordinates as linear functions of the position (x, y) on the image plane in
-/// normalized device coordinates: base + t * direction, the eye at t = EyeParameter.
-struct PENUMBRARENDERING_EXPORT ViewRays
-{
-  Matrix3 Base{};      ///< columns: x, y, 1
-  Matrix3 Direction{};
-  double EyeParameter = 0.0;
-  std::array<double, 4> ClipDepth{}; ///< rows z and w of the map from texture to clip coordinates
-  std::array<double, 4> ClipW{};
-  Matrix4 TextureToClip{};
-};
-
-/// Rays of a camera. worldToClip is the whole projection, z of the near plane -1.
-PENUMBRARENDERING_EXPORT bool ComputeViewRays(
-  const VolumePlacement& geometry, const Matrix4& worldToClip, const Vector3& eye, ViewRays& rays);
 
 }
 

@@ -244,7 +244,7 @@ void VolumeTextures::Deactivate()
 
 //------------------------------------------------------------------------------
 void VolumeTextures::SetUniforms(
-  vtkShaderProgram* program, const VolumePlacement& geometry, double unitDistance) const
+  vtkShaderProgram* program, const VolumePlacement& placement, double unitDistance) const
 {
   const ScalarEncoding& encoding = this->Scalars.GetEncoding();
   SetSampler(program, "scene_scalars", this->Scalars.GetTexture());
@@ -269,7 +269,7 @@ void VolumeTextures::SetUniforms(
   {
     const auto coordinate = GetTableCoordinate(this->GradientOpacity.Low,
       this->GradientOpacity.High, this->GradientOpacity.Opacity.size(), encoding.Scale, 0.0);
-    Matrix3 toTable = geometry.GetGradientToMagnitude();
+    Matrix3 toTable = placement.GetGradientToMagnitude();
     for (double& element : toTable)
     {
       element *= coordinate[0];

@@ -46,7 +46,7 @@ public:
   void Activate();
   void Deactivate();
   void SetUniforms(
-    vtkShaderProgram* program, const VolumePlacement& geometry, double unitDistance) const;
+    vtkShaderProgram* program, const VolumePlacement& placement, double unitDistance) const;
 
   void Release(vtkOpenGLRenderWindow* window);
 

@@ -237,7 +237,7 @@ bool vtkIlluminatedVolumeMapper::PrepareGeometry(
   vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image)
 {
   DrawnScene& scene = this->Internal->Scene;
-  if (!ComputeVolumePlacement(image, volume->GetMatrix(), scene.Geometry))
+  if (!ComputeVolumePlacement(image, volume->GetMatrix(), scene.Placement))
   {
     vtkErrorMacro("The volume's spacing, direction or matrix has no inverse; it is not drawn.");
     return false;
@@ -245,7 +245,7 @@ bool vtkIlluminatedVolumeMapper::PrepareGeometry(
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
   Vector3 eye;
   camera->GetPosition(eye.data());
-  if (!ComputeViewRays(scene.Geometry, GetWorldToClip(renderer, camera), eye, scene.Rays))
+  if (!ComputeViewRays(scene.Placement, GetWorldToClip(renderer, camera), eye, scene.Rays))
   {
     vtkErrorMacro("The camera's projection has no inverse; the volume is not drawn.");
     return false;
@@ -263,7 +263,7 @@ void vtkIlluminatedVolumeMapper::PrepareVisibility(vtkImageData* image)
   for (int plane = 0; plane < planes; ++plane)
   {
     scene.ClippingPlanes.push_back(
-      scene.Geometry.GetPlane(this->ClippingPlanes->GetItem(plane)));
+      scene.Placement.GetPlane(this->ClippingPlanes->GetItem(plane)));
   }
   scene.CroppingFlags = this->Cropping ? this->CroppingRegionFlags : 0;
   this->Internal->AnythingVisible = true;
@@ -274,7 +274,7 @@ void vtkIlluminatedVolumeMapper::PrepareVisibility(vtkImageData* image)
   if (scene.CroppingFlags == VTK_CROP_SUBVOLUME)
   {
     this->Internal->AnythingVisible =
-      scene.Geometry.CropBox(scene.CroppingLow, scene.CroppingHigh);
+      scene.Placement.CropBox(scene.CroppingLow, scene.CroppingHigh);
   }
 }
 
@@ -285,7 +285,7 @@ bool vtkIlluminatedVolumeMapper::PrepareTextures(vtkOpenGLRenderWindow* window,
   VolumeTextures& textures = this->Internal->Drawing.GetTextures();
   if (!textures.UpdateScalars(window, image, scalars))
   {
-    const auto& dimensions = this->Internal->Scene.Geometry.Dimensions;
+    const auto& dimensions = this->Internal->Scene.Placement.Dimensions;
     vtkErrorMacro("The graphics card cannot hold a volume of "
       << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2] << " voxels.");
     return false;
@@ -330,45 +330,19 @@ vtkImageData* vtkIlluminatedVolumeMapper::GetUsableMask(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-// The lights that are drawn: those that matter, as many as the uniforms of a program can hold.
-void vtkIlluminatedVolumeMapper::CollectLights(
-  vtkRenderer* renderer, vtkVolumeProperty* property, vtkLightCollection* lights)
-{
-  const int largestNumber = LightUniforms::GetLargestNumber(this->Internal->Window);
-  int left = 0;
-  vtkCollectionSimpleIterator cursor;
-  renderer->GetLights()->InitTraversal(cursor);
-  while (vtkLight* light = renderer->GetLights()->GetNextLight(cursor))
-  {
-    if (!light->GetSwitch() ||
-      !LightsMatter(light, property->GetDiffuse(0), property->GetSpecular(0)))
-    {
-      continue;
-    }
-    if (lights->GetNumberOfItems() < largestNumber)
-    {
-      lights->AddItem(light);
-    }
-    else
-    {
-      ++left;
-    }
-  }
-  if (left > 0 && property->GetShade(0))
-  {
-    this->Say("The graphics card's shaders hold " + std::to_string(largestNumber) +
-      " lights; the last " + std::to_string(left) + " give ambient light only.");
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeProperty* property)
 {
   DrawnScene& scene = this->Internal->Scene;
   LightedScene lighted;
   lighted.Property = property;
   vtkNew<vtkLightCollection> lights;
-  this->CollectLights(renderer, property, lights);
+  const int largestNumber = LightUniforms::GetLargestNumber(this->Internal->Window);
+  const int left = CollectLights(renderer->GetLights(), property, largestNumber, lights);
+  if (left > 0 && property->GetShade(0))
+  {
+    this->Say("The graphics card's shaders hold " + std::to_string(largestNumber) +
+      " lights; the last " + std::to_string(left) + " give ambient light only.");
+  }
   lighted.Lights = lights;
   lighted.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
   lighted.ClippingPlanes = static_cast<int>(scene.ClippingPlanes.size());
@@ -384,7 +358,7 @@ void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeP
   Vector3 cameraDirection;
   renderer->GetActiveCamera()->GetDirectionOfProjection(cameraDirection.data());
   scene.Lights =
-    MakeLightUniforms(lights, property, scene.Geometry, Normalized(cameraDirection));
+    MakeLightUniforms(lights, property, scene.Placement, Normalized(cameraDirection));
   scene.Lights.SetAmbient(ComputeAmbientLight(renderer->GetLights()), property->GetAmbient(0));
 }
 
@@ -393,7 +367,7 @@ void vtkIlluminatedVolumeMapper::PlanDraws()
 {
   DrawnScene& scene = this->Internal->Scene;
   MarchingTask task;
-  task.Diagonal = scene.Geometry.GetDiagonal();
+  task.Diagonal = scene.Placement.GetDiagonal();
   task.SampleDistance = this->GetSampleDistanceOrDefault();
   task.ShadowSampleDistance =
     IsStepLength(this->ShadowSampleDistance) ? this->ShadowSampleDistance : 2.0 * task.SampleDistance;

@@ -46,7 +46,6 @@
 
 class vtkDataArray;
 class vtkImageData;
-class vtkLightCollection;
 class vtkOpenGLRenderWindow;
 class vtkVolumeProperty;
 
@@ -137,8 +136,6 @@ protected:
   void PrepareVisibility(vtkImageData* image);
   bool PrepareTextures(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property,
     vtkImageData* image, vtkDataArray* scalars);
-  void CollectLights(
-    vtkRenderer* renderer, vtkVolumeProperty* property, vtkLightCollection* lights);
   void PrepareLights(vtkRenderer* renderer, vtkVolumeProperty* property);
   void PlanDraws();
   void Draw(vtkRenderer* renderer);

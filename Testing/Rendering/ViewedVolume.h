@@ -6,6 +6,7 @@
 #define ViewedVolume_h
 
 #include "PlacedVolume.h"
+#include "ViewRays.h"
 
 #include <vtkCamera.h>
 #include <vtkNew.h>
