@@ -311,7 +311,12 @@ GradientOpacityTable MakeGradientOpacityTable(
   {
     table.High = table.Low + std::max(1.0, std::abs(table.Low) * 1e-6);
   }
-  function->GetTable(table.Low, table.High, size, table.Opacity.data());
+  for (int entry = 0; entry < size; ++entry)
+  {
+    const double root = static_cast<double>(entry) / (size - 1);
+    table.Opacity[entry] =
+      static_cast<float>(function->GetValue(table.Low + root * root * (table.High - table.Low)));
+  }
   return table;
 }
 

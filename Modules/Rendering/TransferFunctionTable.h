@@ -57,7 +57,8 @@ PENUMBRARENDERING_EXPORT TransferFunctionTable MakeTransferFunctionTable(
   const TransferFunctions& functions, int largestSize);
 
 /// A table of a gradient opacity function between the points where it begins and ceases to change, and
-/// no further than the largest gradient.
+/// no further than the largest gradient. It is even in the root of the distance from Low: such functions
+/// rise at gradients that are small against the largest. Ramps narrower than its cells are smoothed.
 struct GradientOpacityTable
 {
   double Low = 0.0;

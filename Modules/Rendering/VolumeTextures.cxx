@@ -19,7 +19,7 @@ namespace penumbra
 namespace
 {
 constexpr int LargestTableSize = 8192;
-constexpr int GradientOpacityTableSize = 4096;
+constexpr int GradientOpacityTableSize = 8192;
 
 bool IsInteger(int scalarType)
 {
@@ -191,11 +191,13 @@ void VolumeTextures::LoadGradientOpacity(
     return;
   }
   this->GradientOpacity =
-    MakeGradientOpacityTable(
-      property->GetGradientOpacity(0), GradientOpacityTableSize, this->LargestGradient);
+    MakeGradientOpacityTable(property->GetGradientOpacity(0),
+      std::min(GradientOpacityTableSize, vtkTextureObject::GetMaximumTextureSize(window)),
+      this->LargestGradient);
   Prepare(this->GradientOpacityTexture, window, vtkTextureObject::Linear);
   this->GradientOpacityTexture->Create1DFromRaw(
-    GradientOpacityTableSize, 1, VTK_FLOAT, this->GradientOpacity.Opacity.data());
+    static_cast<unsigned int>(this->GradientOpacity.Opacity.size()), 1, VTK_FLOAT,
+    this->GradientOpacity.Opacity.data());
 }
 
 //------------------------------------------------------------------------------
@@ -267,15 +269,14 @@ void VolumeTextures::SetUniforms(
   }
   if (!this->GradientOpacity.Opacity.empty())
   {
-    const auto coordinate = GetTableCoordinate(this->GradientOpacity.Low,
-      this->GradientOpacity.High, this->GradientOpacity.Opacity.size(), encoding.Scale, 0.0);
+    const double range = this->GradientOpacity.High - this->GradientOpacity.Low;
     Matrix3 toTable = placement.GetGradientToMagnitude();
     for (double& element : toTable)
     {
-      element *= coordinate[0];
+      element *= encoding.Scale / range;
     }
     SetUniform(program, "scene_gradientToTable", toTable);
-    SetUniform(program, "scene_gradientTableOffset", coordinate[1]);
+    SetUniform(program, "scene_gradientTableOffset", -this->GradientOpacity.Low / range);
   }
 }
 

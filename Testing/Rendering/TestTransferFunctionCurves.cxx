@@ -2,6 +2,7 @@
 #include "TransferFunctionLookup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -107,26 +108,41 @@ TEST_CASE("A gradient opacity table covers its points and keeps their values bey
   CHECK(table.High == 45.0);
   REQUIRE(table.Opacity.size() == 401);
   CHECK(table.Opacity.front() == 0.25f);
-  CHECK(table.Opacity[200] == Approx(0.5));
+  // Half the way to the last entry is a quarter of the way to the last point.
+  CHECK(table.Opacity[200] == Approx(0.375));
   CHECK(table.Opacity.back() == Approx(0.75));
 }
 
-TEST_CASE("A gradient opacity that stays at 1 from a small gradient on keeps the ramp before")
+// As GradientOpacityTable.glsl.
+double LookUpGradient(const GradientOpacityTable& table, double gradient)
 {
-  vtkNew<vtkPiecewiseFunction> function;
-  function->AddPoint(0.0, 0.0);
-  function->AddPoint(10.0, 1.0);
-  function->AddPoint(65535.0, 1.0);
-  const GradientOpacityTable table = MakeGradientOpacityTable(function, 4096, 1e9);
-  for (const double gradient : { 0.0, 2.5, 5.0, 10.0, 5000.0, 1e6 })
+  const double last = static_cast<double>(table.Opacity.size() - 1);
+  const double inRange = std::clamp((gradient - table.Low) / (table.High - table.Low), 0.0, 1.0);
+  const double entry = std::sqrt(inRange) * last;
+  const auto low = static_cast<size_t>(std::min(entry, last - 1.0));
+  const double fraction = entry - static_cast<double>(low);
+  return (1.0 - fraction) * table.Opacity[low] + fraction * table.Opacity[low + 1];
+}
+
+TEST_CASE("A gradient opacity that hardly changes beyond a small gradient keeps the ramp before")
+{
+  for (const double last : { 1.0, 0.98 })
   {
-    const double position = (gradient - table.Low) / (table.High - table.Low) * 4095.0;
-    const double entry = std::clamp(position, 0.0, 4095.0);
-    const auto low = static_cast<size_t>(std::min(entry, 4094.0));
-    const double fraction = entry - static_cast<double>(low);
-    const double found = (1.0 - fraction) * table.Opacity[low] + fraction * table.Opacity[low + 1];
-    // Half a grey level.
-    CHECK(found == Approx(function->GetValue(gradient)).margin(0.002));
+    // Half a grey level; where the table reaches to the last point, a quarter of a cell at the ramp's end,
+    // 0.06 wide.
+    const double tolerance = last == 1.0 ? 0.002 : 0.016;
+    vtkNew<vtkPiecewiseFunction> function;
+    function->AddPoint(0.0, 0.0);
+    function->AddPoint(96.0, 0.0);
+    function->AddPoint(97.0, 1.0);
+    function->AddPoint(60000.0, last);
+    const GradientOpacityTable table = MakeGradientOpacityTable(function, 8192, 85000.0);
+    for (const double gradient : { 0.0, 96.0, 96.25, 96.5, 97.0, 5000.0, 1e6 })
+    {
+      INFO("at " << gradient << " of a function that ends at " << last);
+      CHECK(
+        LookUpGradient(table, gradient) == Approx(function->GetValue(gradient)).margin(tolerance));
+    }
   }
 }
 
@@ -138,7 +154,7 @@ TEST_CASE("A gradient opacity table goes no further than the largest gradient")
   function->AddPoint(1e9, 1.0);
   const GradientOpacityTable table = MakeGradientOpacityTable(function, 401, 100.0);
   CHECK(table.High == 100.0);
-  CHECK(table.Opacity[20] == Approx(0.45));
+  CHECK(table.Opacity[40] == Approx(0.09));
 }
 
 TEST_CASE("A gradient opacity function of one value, or of none, is a table of it")
