@@ -131,6 +131,7 @@ void vtkIlluminatedVolumeMapper::Say(const std::string& message)
 void vtkIlluminatedVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
 {
   this->Internal->Messages.clear();
+  this->MoveTo(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   int cellFlag = 0;
   vtkDataArray* scalars = vtkAbstractMapper::GetScalars(this->GetDataSetInput(), this->ScalarMode,
     this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
@@ -202,9 +203,8 @@ double vtkIlluminatedVolumeMapper::GetSampleDistanceOrDefault()
 void vtkIlluminatedVolumeMapper::DrawIlluminated(
   vtkRenderer* renderer, vtkVolume* volume, vtkDataArray* scalars)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
-  this->MoveTo(window);
+  vtkOpenGLRenderWindow* window = this->Internal->Window;
   window->MakeCurrent();
   if (!this->PrepareGeometry(renderer, volume, image) ||
     !this->PrepareTextures(window, volume->GetProperty(), image, scalars))

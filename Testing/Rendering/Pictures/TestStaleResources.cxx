@@ -104,3 +104,21 @@ TEST_CASE("Stale: what a scene needs is known where nothing of it is visible", "
   scene->Volume->VisibilityOff();
   CHECK(CompareImages(cropped, scene->Render()).largest == 0.0);
 }
+
+TEST_CASE("Stale: what the stock ray caster draws survives the end of its window", "[stale]")
+{
+  auto scene = MakeScene(MakeBall({ { 24, 24, 24 } }, 10.0, 4.0));
+  scene->Mapper->GlobalWarningDisplayOff();
+  scene->Render();
+  scene->Window->RemoveRenderer(scene->Renderer);
+  vtkNew<vtkRenderWindow> other;
+  other->SetMultiSamples(0);
+  other->SetSize(64, 64);
+  other->AddRenderer(scene->Renderer);
+  scene->Mapper->SetBlendModeToMaximumIntensity();
+  const auto before = RenderToImage(other);
+  other->Finalize();
+  CHECK(CompareImages(RenderToImage(other), before).largest == 0.0);
+  scene->Volume->VisibilityOff();
+  CHECK(CompareImages(RenderToImage(other), before).rmse > 5.0);
+}
