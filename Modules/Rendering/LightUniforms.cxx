@@ -131,7 +131,6 @@ LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* p
   const VolumePlacement& placement, const Vector3& cameraDirection)
 {
   LightUniforms uniforms;
-  uniforms.SetAmbient(ComputeAmbientLight(lights), property->GetAmbient(0));
   uniforms.SpecularPower = static_cast<float>(property->GetSpecularPower(0));
   for (vtkLight* light : SortLights(lights, property))
   {

@@ -48,8 +48,9 @@ struct LightUniforms
 int CollectLights(vtkLightCollection* all, vtkVolumeProperty* property, int largestNumber,
   vtkLightCollection* collected);
 
-/// The lights of a collection that are on and matter, and their ambient light. cameraDirection: unit
-/// direction of projection, along which headlights shine.
+/// The lights of a collection that are on and matter; ambient light is set apart, since lights that do not
+/// matter otherwise give it too. cameraDirection: unit direction of projection, along which headlights
+/// shine.
 LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* property,
   const VolumePlacement& placement, const Vector3& cameraDirection);
 

@@ -2,11 +2,9 @@
 
 #include <vtksys/Process.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <random>
 
 namespace penumbra
 {
@@ -37,42 +35,6 @@ ProgramResult RunPenumbraRender(const std::vector<std::string>& arguments)
     result.exitStatus = vtksysProcess_GetExitValue(process.get());
   }
   return result;
-}
-
-TemporaryFolder::TemporaryFolder()
-{
-  std::random_device random;
-  this->Path = std::filesystem::temp_directory_path() / ("penumbra " + std::to_string(random()));
-  std::filesystem::create_directories(this->Path);
-}
-
-TemporaryFolder::~TemporaryFolder()
-{
-  std::error_code ignored;
-  std::filesystem::remove_all(this->Path, ignored);
-}
-
-std::string TemporaryFolder::PathOf(const std::string& name) const
-{
-  return (this->Path / name).string();
-}
-
-std::string TemporaryFolder::Write(const std::string& name, const std::string& content) const
-{
-  std::filesystem::create_directories((this->Path / name).parent_path());
-  std::ofstream(this->Path / name, std::ios::binary) << content;
-  return this->PathOf(name);
-}
-
-std::vector<std::string> TemporaryFolder::Names() const
-{
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(this->Path))
-  {
-    names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 std::string ReadAll(const std::string& file)

@@ -5,7 +5,8 @@
 #ifndef RunProgram_h
 #define RunProgram_h
 
-#include <filesystem>
+#include "TemporaryFolder.h"
+
 #include <string>
 #include <vector>
 
@@ -20,23 +21,6 @@ struct ProgramResult
 };
 
 ProgramResult RunPenumbraRender(const std::vector<std::string>& arguments);
-
-/// A new, empty folder that is removed with all that is in it.
-class TemporaryFolder
-{
-public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string PathOf(const std::string& name) const;
-  std::string Write(const std::string& name, const std::string& content) const;
-  std::vector<std::string> Names() const;
-
-private:
-  std::filesystem::path Path;
-};
 
 std::string ReadAll(const std::string& file);
 }

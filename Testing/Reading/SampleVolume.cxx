@@ -4,35 +4,6 @@
 #include "vtk_zlib.h"
 
 #include <cmath>
-#include <fstream>
-#include <random>
-
-TemporaryFolder::TemporaryFolder()
-{
-  std::random_device random;
-  do
-  {
-    this->Folder = std::filesystem::temp_directory_path() /
-      ("penumbra-reading-" + std::to_string(random()) + std::to_string(random()));
-  } while (!std::filesystem::create_directory(this->Folder));
-}
-
-TemporaryFolder::~TemporaryFolder()
-{
-  std::error_code ignored;
-  std::filesystem::remove_all(this->Folder, ignored);
-}
-
-std::string TemporaryFolder::Path(const std::string& name) const
-{
-  return (this->Folder / name).u8string();
-}
-
-std::string TemporaryFolder::Write(const std::string& name, const std::string& bytes) const
-{
-  std::ofstream(this->Folder / name, std::ios::binary) << bytes;
-  return this->Path(name);
-}
 
 std::string SampleText()
 {

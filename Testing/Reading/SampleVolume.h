@@ -8,6 +8,7 @@
 #ifndef SampleVolume_h
 #define SampleVolume_h
 
+#include "TemporaryFolder.h"
 #include "VolumeFile.h"
 #include "vtkImageData.h"
 
@@ -16,22 +17,7 @@
 #include <filesystem>
 #include <string>
 
-/// A new, empty folder that is removed with what it holds.
-class TemporaryFolder
-{
-public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string Path(const std::string& name) const;
-  /// The path of a new file with these bytes.
-  std::string Write(const std::string& name, const std::string& bytes) const;
-
-private:
-  std::filesystem::path Folder;
-};
+using penumbra::TemporaryFolder;
 
 /// The bytes of a value, least or most significant one first.
 template <typename Value>

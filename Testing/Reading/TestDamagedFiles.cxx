@@ -26,12 +26,12 @@ std::string XmlImage(const TemporaryFolder& folder, const std::string& sample, i
 {
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(Read(sample));
-  writer->SetFileName(folder.Path("written.vti").c_str());
+  writer->SetFileName(folder.PathOf("written.vti").c_str());
   writer->SetCompressorType(compressor);
   writer->EncodeAppendedDataOff();
   writer->SetBlockSize(40);
   writer->Write();
-  std::ifstream file(folder.Path("written.vti"), std::ios::binary);
+  std::ifstream file(folder.PathOf("written.vti"), std::ios::binary);
   std::string bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   // A text file may end with its last line's end or without.
   bytes.resize(bytes.find_last_of('>') + 1);

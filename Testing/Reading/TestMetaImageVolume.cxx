@@ -107,10 +107,10 @@ TEST_CASE("What VTK writes as MetaImage is read")
   {
     vtkNew<vtkMetaImageWriter> writer;
     writer->SetInputData(sample);
-    writer->SetFileName(folder.Path("b.mha").c_str());
+    writer->SetFileName(folder.PathOf("b.mha").c_str());
     writer->SetCompression(compressed);
     writer->Write();
-    const auto image = Read(folder.Path("b.mha"));
+    const auto image = Read(folder.PathOf("b.mha"));
     CHECK(IsSample(image));
     CHECK(IsPlaced(image, { 1, 2, 3 }, { { { 2, 0, 0 }, { 0, 3, 0 }, { 0, 0, 4 } } }));
   }

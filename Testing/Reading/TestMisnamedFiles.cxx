@@ -38,8 +38,8 @@ TEST_CASE("Files named after another format are refused with both names")
 TEST_CASE("What is no volume file is refused in one line")
 {
   const TemporaryFolder folder;
-  CHECK_THAT(FailureOf(folder.Path("gone.nrrd")), ContainsSubstring("no such file"));
-  CHECK_THAT(FailureOf(folder.Path("")), ContainsSubstring("it is a folder"));
+  CHECK_THAT(FailureOf(folder.PathOf("gone.nrrd")), ContainsSubstring("no such file"));
+  CHECK_THAT(FailureOf(folder.PathOf("")), ContainsSubstring("it is a folder"));
   CHECK_THAT(FailureOf(folder.Write("a.png", "x")), ContainsSubstring(".nii.gz"));
   CHECK_THAT(FailureOf(folder.Write("noextension", "x")), ContainsSubstring("extension"));
   for (const char* name : { "a.mhd", "a.mha", "a.nrrd", "a.nhdr", "a.nii", "a.nii.gz", "a.vti" })
@@ -55,7 +55,7 @@ TEST_CASE("DICOM is refused by name")
   CHECK_THAT(FailureOf(folder.Write("a.dcm", "x")), ContainsSubstring("DICOM is not read yet"));
   CHECK_THAT(FailureOf(folder.Write("IM0001", std::string(128, '\0') + "DICM")),
     ContainsSubstring("DICOM is not read yet"));
-  CHECK_THAT(FailureOf(folder.Path("")), ContainsSubstring("DICOM is not read yet"));
+  CHECK_THAT(FailureOf(folder.PathOf("")), ContainsSubstring("DICOM is not read yet"));
 }
 
 TEST_CASE("A file that may not be read is refused")

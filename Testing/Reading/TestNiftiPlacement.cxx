@@ -107,9 +107,9 @@ TEST_CASE("What VTK writes as NIfTI is read")
     vtkNew<vtkNIFTIImageWriter> writer;
     writer->SetInputData(image);
     writer->SetQFormMatrix(matrix);
-    writer->SetFileName(folder.Path(name).c_str());
+    writer->SetFileName(folder.PathOf(name).c_str());
     writer->Write();
-    const auto written = Read(folder.Path(name));
+    const auto written = Read(folder.PathOf(name));
     CHECK(IsSample(written));
     CHECK(IsPlaced(written, { 10, 20, 30 }, { { { 0, 2, 0 }, { -3, 0, 0 }, { 0, 0, 4 } } }, 1e-5));
   }

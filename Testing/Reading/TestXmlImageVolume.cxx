@@ -44,7 +44,7 @@ TEST_CASE("What VTK writes as VTI is read in every mode and with every compresso
         INFO("mode " << mode << ", compressor " << compressor << ", variant " << variant);
         vtkNew<vtkXMLImageDataWriter> writer;
         writer->SetInputData(sample);
-        writer->SetFileName(folder.Path("b.vti").c_str());
+        writer->SetFileName(folder.PathOf("b.vti").c_str());
         writer->SetDataMode(mode);
         writer->SetCompressorType(compressor);
         writer->SetBlockSize(40);
@@ -52,7 +52,7 @@ TEST_CASE("What VTK writes as VTI is read in every mode and with every compresso
         writer->SetHeaderType(variant ? vtkXMLWriter::UInt64 : vtkXMLWriter::UInt32);
         writer->SetByteOrder(variant ? vtkXMLWriter::BigEndian : vtkXMLWriter::LittleEndian);
         writer->Write();
-        const auto image = Read(folder.Path("b.vti"));
+        const auto image = Read(folder.PathOf("b.vti"));
         CHECK(IsSample(image));
         CHECK(image->GetScalarType() == VTK_SHORT);
         CHECK(image->GetPointData()->GetScalars()->GetName() == std::string("density"));
@@ -71,9 +71,9 @@ TEST_CASE("A VTI extent that does not begin at 0 leaves the voxels where they ar
   shifted->SetSpacing(2, 3, 4);
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(shifted);
-  writer->SetFileName(folder.Path("b.vti").c_str());
+  writer->SetFileName(folder.PathOf("b.vti").c_str());
   writer->Write();
-  const auto image = Read(folder.Path("b.vti"));
+  const auto image = Read(folder.PathOf("b.vti"));
   CHECK(IsSample(image));
   CHECK(IsPlaced(image, { 20, -15, 4 }, { { { 2, 0, 0 }, { 0, 3, 0 }, { 0, 0, 4 } } }));
 }

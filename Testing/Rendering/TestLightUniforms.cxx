@@ -25,7 +25,10 @@ Vector3 ToDouble(const Vector3f& vector)
 
 LightUniforms MakeUniforms(const LightsAndMaterial& scene, const VolumePlacement& geometry)
 {
-  return MakeLightUniforms(scene.lights, scene.property, geometry, CameraDirection);
+  LightUniforms uniforms =
+    MakeLightUniforms(scene.lights, scene.property, geometry, CameraDirection);
+  uniforms.SetAmbient(ComputeAmbientLight(scene.lights), scene.property->GetAmbient(0));
+  return uniforms;
 }
 
 LightUniforms MakeUniforms(const LightsAndMaterial& scene)
