@@ -52,8 +52,8 @@ private:
   {
     if (levels >= MostJsonLevels)
     {
-      throw InputError("arrays and objects are nested more than " +
-        std::to_string(MostJsonLevels) + " levels deep; no scene needs as many");
+      throw InputError("arrays and objects are nested more than " + std::to_string(MostJsonLevels) +
+        " levels deep; no scene needs as many");
     }
   }
 

@@ -12,8 +12,8 @@ namespace
 // Keeps the order in which keys are added.
 using Json = nlohmann::ordered_json;
 
-std::string NameFrom(const std::filesystem::path& folder, const std::filesystem::path& file,
-  const std::string& key)
+std::string NameFrom(
+  const std::filesystem::path& folder, const std::filesystem::path& file, const std::string& key)
 {
   const auto base = std::filesystem::absolute(folder).lexically_normal();
   const auto relative = file.lexically_relative(base);

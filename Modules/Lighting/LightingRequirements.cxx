@@ -206,17 +206,19 @@ LightingRequirements ComputeLightingRequirements(const LightedScene& scene)
   }
   const double diffuse = scene.Property->GetDiffuse(0);
   const double specular = scene.Property->GetSpecular(0);
-  VisitLightsThatAreOn(scene.Lights, [&](vtkLight* light) {
-    if (!LightsMatter(light, diffuse, specular))
+  VisitLightsThatAreOn(scene.Lights,
+    [&](vtkLight* light)
     {
-      return;
-    }
-    const auto kind = static_cast<int>(GetLightKind(light));
-    ++needs.Lights[kind][static_cast<int>(GetShadowKind(light))];
-    needs.Diffuse = needs.Diffuse || (diffuse > 0.0 && !IsBlack(light->GetDiffuseColor()));
-    needs.Specular = needs.Specular || (specular > 0.0 && !IsBlack(light->GetSpecularColor()));
-    needs.Attenuation = needs.Attenuation || HasAttenuation(light);
-  });
+      if (!LightsMatter(light, diffuse, specular))
+      {
+        return;
+      }
+      const auto kind = static_cast<int>(GetLightKind(light));
+      ++needs.Lights[kind][static_cast<int>(GetShadowKind(light))];
+      needs.Diffuse = needs.Diffuse || (diffuse > 0.0 && !IsBlack(light->GetDiffuseColor()));
+      needs.Specular = needs.Specular || (specular > 0.0 && !IsBlack(light->GetSpecularColor()));
+      needs.Attenuation = needs.Attenuation || HasAttenuation(light);
+    });
   needs.TwoSidedLighting = scene.TwoSidedLighting && needs.NeedsNormal();
   return needs;
 }
@@ -227,16 +229,17 @@ std::array<double, 3> ComputeAmbientLight(vtkLightCollection* lights)
   std::array<double, 3> sum = { 0.0, 0.0, 0.0 };
   bool anyOn = false;
   bool allPlainAndBlack = true;
-  VisitLightsThatAreOn(lights, [&](vtkLight* light) {
-    anyOn = true;
-    const double* color = light->GetAmbientColor();
-    allPlainAndBlack =
-      allPlainAndBlack && !vtkVolumeLight::SafeDownCast(light) && IsBlack(color);
-    for (int channel = 0; channel < 3; ++channel)
+  VisitLightsThatAreOn(lights,
+    [&](vtkLight* light)
     {
-      sum[channel] += color[channel] * light->GetIntensity();
-    }
-  });
+      anyOn = true;
+      const double* color = light->GetAmbientColor();
+      allPlainAndBlack = allPlainAndBlack && !vtkVolumeLight::SafeDownCast(light) && IsBlack(color);
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        sum[channel] += color[channel] * light->GetIntensity();
+      }
+    });
   if (anyOn && allPlainAndBlack)
   {
     sum.fill(1.0);

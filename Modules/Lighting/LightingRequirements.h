@@ -3,8 +3,8 @@
  * @brief   what a scene's lighting needs, as one plain value
  *
  * The value alone decides which GLSL, textures and passes exist. Two scenes with equal requirements
- * share one program and differ in uniforms only; what a scene does not require is not in the program
- * at all, and leaving it out never changes the picture.
+ * share one program and differ in uniforms only; what a scene does not require is not in the
+ * program at all, and leaving it out never changes the picture.
  */
 
 #ifndef LightingRequirements_h
@@ -23,8 +23,8 @@ class vtkVolumeProperty;
 namespace penumbra
 {
 
-/// How light reaches a sample: from one direction everywhere (headlights too), from a point, or from a
-/// point within a cone.
+/// How light reaches a sample: from one direction everywhere (headlights too), from a point, or
+/// from a point within a cone.
 enum class LightKind
 {
   Directional,
@@ -141,14 +141,14 @@ PENUMBRALIGHTING_EXPORT LightKind GetLightKind(vtkLight* light);
 /// Shadow state of a light; a plain vtkLight has none.
 PENUMBRALIGHTING_EXPORT ShadowKind GetShadowKind(vtkLight* light);
 
-/// Whether the light's diffuse or specular term can change a picture with these material factors. The
-/// ambient term needs no light in the program.
+/// Whether the light's diffuse or specular term can change a picture with these material factors.
+/// The ambient term needs no light in the program.
 PENUMBRALIGHTING_EXPORT bool LightsMatter(vtkLight* light, double diffuse, double specular);
 
 /**
  * The sum of ambient colours times intensities over all lights that are on. Where every one of them
- * is a plain vtkLight with black ambient colour it is white, so that scenes made for the stock mapper
- * keep their ambient light. No light on: black.
+ * is a plain vtkLight with black ambient colour it is white, so that scenes made for the stock
+ * mapper keep their ambient light. No light on: black.
  */
 PENUMBRALIGHTING_EXPORT std::array<double, 3> ComputeAmbientLight(vtkLightCollection* lights);
 

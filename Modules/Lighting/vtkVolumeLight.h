@@ -2,8 +2,8 @@
  * @class   vtkVolumeLight
  * @brief   a light that can cast shadows inside volumes
  *
- * A vtkLight with a shadow state of its own, for volumes drawn by vtkIlluminatedVolumeMapper. Add it
- * to the renderer like any light. What vtkLight defines keeps its meaning: headlight, camera and
+ * A vtkLight with a shadow state of its own, for volumes drawn by vtkIlluminatedVolumeMapper. Add
+ * it to the renderer like any light. What vtkLight defines keeps its meaning: headlight, camera and
  * scene lights, position and focal point, colours, intensity, attenuation, cone and exponent. Other
  * props see it as a plain vtkLight.
  *

@@ -2,8 +2,8 @@
  * @file    AccumulationBuffer.h
  * @brief   where a picture of several draws, or of fewer pixels, is gathered
  *
- * Two float pictures take turns: a draw reads what the draws before it gathered from one and writes to
- * the other. The finished picture is put over the viewport, stretched to its size.
+ * Two float pictures take turns: a draw reads what the draws before it gathered from one and writes
+ * to the other. The finished picture is put over the viewport, stretched to its size.
  */
 
 #ifndef AccumulationBuffer_h
@@ -33,12 +33,13 @@ public:
     int Height = 0;
   };
 
-  /// Calls draw(i) for each of the draws with the buffer bound for drawing, then composites the result
-  /// over the viewport. False without float pictures.
-  bool Gather(vtkOpenGLRenderWindow* window, const Viewport& viewport, int width, int height, int draws,
-    const std::function<void(int)>& draw);
+  /// Calls draw(i) for each of the draws with the buffer bound for drawing, then composites the
+  /// result over the viewport. False without float pictures.
+  bool Gather(vtkOpenGLRenderWindow* window, const Viewport& viewport, int width, int height,
+    int draws, const std::function<void(int)>& draw);
 
-  /// To be called just before a draw's primitives: they replace what they cover of the whole picture.
+  /// To be called just before a draw's primitives: they replace what they cover of the whole
+  /// picture.
   void PreparePrimitives(vtkOpenGLRenderWindow* window);
 
   /// Unit of the texture that the draw in progress reads.
@@ -49,7 +50,8 @@ public:
 private:
   bool Resize(vtkOpenGLRenderWindow* window, int width, int height);
   void Clear(vtkOpenGLRenderWindow* window, int target);
-  void Composite(vtkOpenGLRenderWindow* window, const Viewport& viewport, vtkTextureObject* picture);
+  void Composite(
+    vtkOpenGLRenderWindow* window, const Viewport& viewport, vtkTextureObject* picture);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::array<vtkNew<vtkTextureObject>, 2> Pictures;

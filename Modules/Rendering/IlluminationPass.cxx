@@ -18,8 +18,7 @@ vtkIlluminationPass::vtkIlluminationPass()
 vtkIlluminationPass::~vtkIlluminationPass() = default;
 
 //------------------------------------------------------------------------------
-void vtkIlluminationPass::Select(
-  const penumbra::LightingRequirements& requirements, bool continued)
+void vtkIlluminationPass::Select(const penumbra::LightingRequirements& requirements, bool continued)
 {
   if (requirements != this->Requirements || continued != this->Continued)
   {
@@ -36,8 +35,7 @@ void vtkIlluminationPass::Render(const vtkRenderState*) {}
 bool vtkIlluminationPass::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  this->FragmentSource =
-    penumbra::GetFragmentShaderSource(this->Requirements, this->Continued);
+  this->FragmentSource = penumbra::GetFragmentShaderSource(this->Requirements, this->Continued);
   vertexShader = penumbra::GetVertexShaderSource();
   geometryShader.clear();
   fragmentShader = this->FragmentSource;

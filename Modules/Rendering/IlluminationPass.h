@@ -2,9 +2,9 @@
  * @class   vtkIlluminationPass
  * @brief   puts Penumbra's GLSL into VTK's volume ray caster
  *
- * A private render pass, attached to the drawn volume for the length of one draw. The ray caster asks
- * it for replacements when it builds a program, which it does when GetShaderStageMTime() is newer, and
- * for uniforms on every draw.
+ * A private render pass, attached to the drawn volume for the length of one draw. The ray caster
+ * asks it for replacements when it builds a program, which it does when GetShaderStageMTime() is
+ * newer, and for uniforms on every draw.
  */
 
 #ifndef IlluminationPass_h

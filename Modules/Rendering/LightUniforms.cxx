@@ -31,8 +31,7 @@ LightUniforms::Vector3f Scaled(const double color[3], double factor)
 }
 
 template <typename Visitor>
-void VisitLightsThatMatter(
-  vtkLightCollection* lights, vtkVolumeProperty* property, Visitor visit)
+void VisitLightsThatMatter(vtkLightCollection* lights, vtkVolumeProperty* property, Visitor visit)
 {
   vtkCollectionSimpleIterator cursor;
   lights->InitTraversal(cursor);
@@ -46,17 +45,19 @@ void VisitLightsThatMatter(
   }
 }
 
-// The lights that matter, in the order of Lights.glsl; lights of one group keep the renderer's order.
+// The lights that matter, in the order of Lights.glsl; lights of one group keep the renderer's
+// order.
 std::vector<vtkLight*> SortLights(vtkLightCollection* lights, vtkVolumeProperty* property)
 {
   std::vector<vtkLight*> sorted;
   VisitLightsThatMatter(lights, property, [&](vtkLight* light) { sorted.push_back(light); });
-  const auto group = [](vtkLight* light) {
+  const auto group = [](vtkLight* light)
+  {
     return NumberOfShadowKinds * static_cast<int>(GetLightKind(light)) +
       static_cast<int>(GetShadowKind(light));
   };
-  std::stable_sort(sorted.begin(), sorted.end(),
-    [&](vtkLight* a, vtkLight* b) { return group(a) < group(b); });
+  std::stable_sort(
+    sorted.begin(), sorted.end(), [&](vtkLight* a, vtkLight* b) { return group(a) < group(b); });
   return sorted;
 }
 
@@ -91,7 +92,8 @@ Vector3 GetShadowDirection(const VolumePlacement& placement, const Vector3& towa
   return { direction[0] * factor, direction[1] * factor, direction[2] * factor };
 }
 
-void AddDirectional(LightUniforms& uniforms, const VolumePlacement& placement, const Vector3& travel)
+void AddDirectional(
+  LightUniforms& uniforms, const VolumePlacement& placement, const Vector3& travel)
 {
   const Vector3 towardsLight = { -travel[0], -travel[1], -travel[2] };
   uniforms.Position.push_back(ToFloat(GetShadowDirection(placement, towardsLight)));
@@ -113,16 +115,18 @@ int CollectLights(vtkLightCollection* all, vtkVolumeProperty* property, int larg
   vtkLightCollection* collected)
 {
   int left = 0;
-  VisitLightsThatMatter(all, property, [&](vtkLight* light) {
-    if (collected->GetNumberOfItems() < largestNumber)
+  VisitLightsThatMatter(all, property,
+    [&](vtkLight* light)
     {
-      collected->AddItem(light);
-    }
-    else
-    {
-      ++left;
-    }
-  });
+      if (collected->GetNumberOfItems() < largestNumber)
+      {
+        collected->AddItem(light);
+      }
+      else
+      {
+        ++left;
+      }
+    });
   return left;
 }
 
@@ -166,7 +170,8 @@ void LightUniforms::SetAmbient(const std::array<double, 3>& ambient, double fact
 //------------------------------------------------------------------------------
 int LightUniforms::GetLargestNumber(vtkOpenGLRenderWindow* window)
 {
-  // Arrays of vectors take four components an element; the scene's other uniforms take fewer than 256.
+  // Arrays of vectors take four components an element; the scene's other uniforms take fewer than
+  // 256.
   constexpr int componentsPerLight = 7 * 4;
   constexpr int otherComponents = 256;
   int components = 0;
@@ -177,13 +182,15 @@ int LightUniforms::GetLargestNumber(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 void LightUniforms::Set(vtkShaderProgram* program) const
 {
-  const auto setVectors = [&](const char* name, const std::vector<Vector3f>& values) {
+  const auto setVectors = [&](const char* name, const std::vector<Vector3f>& values)
+  {
     if (!values.empty() && program->IsUniformUsed(name))
     {
       program->SetUniform3fv(name, static_cast<int>(values.size()), values.front().data());
     }
   };
-  const auto setPairs = [&](const char* name, const std::vector<Vector2f>& values) {
+  const auto setPairs = [&](const char* name, const std::vector<Vector2f>& values)
+  {
     if (!values.empty() && program->IsUniformUsed(name))
     {
       program->SetUniform2fv(name, static_cast<int>(values.size()), values.front().data());

@@ -38,19 +38,19 @@ struct LightUniforms
   void SetAmbient(const std::array<double, 3>& ambient, double factor);
   void Set(vtkShaderProgram* program) const;
 
-  /// How many lights fit into the uniforms of a fragment shader. OpenGL 3.2 guarantees 27 of them; the
-  /// drivers of graphics cards hold well over a hundred.
+  /// How many lights fit into the uniforms of a fragment shader. OpenGL 3.2 guarantees 27 of them;
+  /// the drivers of graphics cards hold well over a hundred.
   static int GetLargestNumber(vtkOpenGLRenderWindow* window);
 };
 
-/// Adds those of all lights that are on and matter to collected, as many as the largest number; how many
-/// are left out.
+/// Adds those of all lights that are on and matter to collected, as many as the largest number; how
+/// many are left out.
 int CollectLights(vtkLightCollection* all, vtkVolumeProperty* property, int largestNumber,
   vtkLightCollection* collected);
 
-/// The lights of a collection that are on and matter; ambient light is set apart, since lights that do not
-/// matter otherwise give it too. cameraDirection: unit direction of projection, along which headlights
-/// shine.
+/// The lights of a collection that are on and matter; ambient light is set apart, since lights that
+/// do not matter otherwise give it too. cameraDirection: unit direction of projection, along which
+/// headlights shine.
 LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* property,
   const VolumePlacement& placement, const Vector3& cameraDirection);
 

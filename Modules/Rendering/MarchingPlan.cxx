@@ -9,7 +9,8 @@ namespace
 {
 // llvmpipe ends a fragment after 65,535 iterations.
 constexpr double LargestNumberOfIterations = 60000.0;
-// Positions along a ray are floats: with 2^16 steps each still has a precision of a hundredth of a step.
+// Positions along a ray are floats: with 2^16 steps each still has a precision of a hundredth of a
+// step.
 constexpr double LargestNumberOfSteps = 65536.0;
 // ShadowRay.glsl takes this many steps an iteration.
 constexpr double ShadowStepsPerIteration = 4.0;
@@ -19,7 +20,8 @@ double CountSteps(double length, double stepLength)
   return std::ceil(length / stepLength) + 1.0;
 }
 
-// The loops of one view step: the step itself, its look-ups, the loop over the lights and their rays.
+// The loops of one view step: the step itself, its look-ups, the loop over the lights and their
+// rays.
 double CountIterationsPerStep(const MarchingTask& task, double shadowSteps)
 {
   const double shadowIterations = std::ceil(shadowSteps / ShadowStepsPerIteration);

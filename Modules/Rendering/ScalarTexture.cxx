@@ -71,27 +71,31 @@ void EncodeNormalized(
   const Scalar* scalars, const ScalarEncoding& encoding, std::vector<unsigned short>& values)
 {
   const double factor = LargestNormalized / encoding.Scale;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType voxel = begin; voxel < end; ++voxel)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const double value = (static_cast<double>(scalars[voxel]) - encoding.Offset) * factor;
-      values[voxel] = static_cast<unsigned short>(value + 0.5);
-    }
-  });
+      for (vtkIdType voxel = begin; voxel < end; ++voxel)
+      {
+        const double value = (static_cast<double>(scalars[voxel]) - encoding.Offset) * factor;
+        values[voxel] = static_cast<unsigned short>(value + 0.5);
+      }
+    });
 }
 
 template <typename Scalar>
 void EncodeFloat(const Scalar* scalars, const ScalarEncoding& encoding, const ScalarRange& range,
   std::vector<float>& values)
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType voxel = begin; voxel < end; ++voxel)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      double value = static_cast<double>(scalars[voxel]);
-      value = std::isnan(value) ? range.Low : std::clamp(value, range.Low, range.High);
-      values[voxel] = static_cast<float>((value - encoding.Offset) / encoding.Scale);
-    }
-  });
+      for (vtkIdType voxel = begin; voxel < end; ++voxel)
+      {
+        double value = static_cast<double>(scalars[voxel]);
+        value = std::isnan(value) ? range.Low : std::clamp(value, range.Low, range.High);
+        values[voxel] = static_cast<float>((value - encoding.Offset) / encoding.Scale);
+      }
+    });
 }
 
 void SetSampling(vtkTextureObject* texture, int filter)
@@ -118,8 +122,8 @@ ScalarRange ComputeScalarRange(vtkDataArray* scalars)
   ScalarRange range;
   switch (scalars->GetDataType())
   {
-    vtkTemplateMacro(range = FindFiniteRange(
-                       static_cast<VTK_TT*>(scalars->GetVoidPointer(0)), scalars->GetNumberOfTuples()));
+    vtkTemplateMacro(range = FindFiniteRange(static_cast<VTK_TT*>(scalars->GetVoidPointer(0)),
+                       scalars->GetNumberOfTuples()));
   }
   if (range.Low > range.High)
   {
@@ -144,8 +148,8 @@ ScalarEncoding ChooseEncoding(int scalarType, const ScalarRange& range)
     default:
       break;
   }
-  // Without an offset values near 0 keep digits of their own, which faint gradients need; with one, values
-  // far from 0 keep those of their range.
+  // Without an offset values near 0 keep digits of their own, which faint gradients need; with one,
+  // values far from 0 keep those of their range.
   constexpr double farFromZero = 8.0;
   const double middle = 0.5 * range.Low + 0.5 * range.High;
   const double halfRange = 0.5 * range.High - 0.5 * range.Low;
@@ -225,12 +229,14 @@ bool LoadMask(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, vtkDataA
   const std::array<int, 3>& dimensions)
 {
   std::vector<unsigned char> values(mask->GetNumberOfTuples());
-  vtkSMPTools::For(0, mask->GetNumberOfTuples(), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType voxel = begin; voxel < end; ++voxel)
+  vtkSMPTools::For(0, mask->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      values[voxel] = mask->GetComponent(voxel, 0) != 0.0 ? 255 : 0;
-    }
-  });
+      for (vtkIdType voxel = begin; voxel < end; ++voxel)
+      {
+        values[voxel] = mask->GetComponent(voxel, 0) != 0.0 ? 255 : 0;
+      }
+    });
   const bool loaded = Upload(texture, window, dimensions, VTK_UNSIGNED_CHAR, values.data());
   SetSampling(texture, vtkTextureObject::Nearest);
   return loaded;

@@ -2,11 +2,11 @@
  * @file    ScalarTexture.h
  * @brief   a volume's scalars, and its mask, as 3D textures
  *
- * Scalars of 8 and 16 bits become 16-bit normalized values, all others floats: some drivers filter 8-bit
- * textures with 8 bits, which shows under steep transfer functions. Floats are stored relative to an
- * offset where the data's values are large against their range, and divided by a scale where they are
- * beyond single precision.
- * NaN and -Inf count as the smallest finite value, +Inf as the largest.
+ * Scalars of 8 and 16 bits become 16-bit normalized values, all others floats: some drivers filter
+ * 8-bit textures with 8 bits, which shows under steep transfer functions. Floats are stored
+ * relative to an offset where the data's values are large against their range, and divided by a
+ * scale where they are beyond single precision. NaN and -Inf count as the smallest finite value,
+ * +Inf as the largest.
  */
 
 #ifndef ScalarTexture_h
@@ -24,7 +24,8 @@ class vtkOpenGLRenderWindow;
 namespace penumbra
 {
 
-/// The affine map between scalars and what a texture of them returns: scalar = Scale * value + Offset.
+/// The affine map between scalars and what a texture of them returns: scalar = Scale * value +
+/// Offset.
 struct ScalarEncoding
 {
   bool Normalized = false; ///< 16-bit normalized values; else floats
@@ -52,7 +53,8 @@ class ScalarTexture
 {
 public:
   /// Makes the texture anew. False where the graphics card cannot hold it.
-  bool Load(vtkOpenGLRenderWindow* window, vtkDataArray* scalars, const std::array<int, 3>& dimensions);
+  bool Load(
+    vtkOpenGLRenderWindow* window, vtkDataArray* scalars, const std::array<int, 3>& dimensions);
   void SetInterpolation(bool linear);
   void Release(vtkOpenGLRenderWindow* window);
 

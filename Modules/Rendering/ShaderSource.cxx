@@ -71,14 +71,16 @@ bool Shadowed(const Needs& needs)
   return needs.GetNumberOfShadowedLights() > 0;
 }
 
-// In GLSL order: what is used stands before its use. Alternatives stand together, and exactly one of
-// them is needed.
+// In GLSL order: what is used stands before its use. Alternatives stand together, and exactly one
+// of them is needed.
 const Snippet FragmentSnippets[] = {
   { GlslDeclarations, Always },
   { GlslBoxInterval, Always },
   { GlslTransmittance, Always },
-  { GlslOpacityTable, [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Table; } },
-  { GlslOpacityPoints, [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Points; } },
+  { GlslOpacityTable,
+    [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Table; } },
+  { GlslOpacityPoints,
+    [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Points; } },
   { GlslClippingNone, [](const Needs& n, bool) { return n.ClippingPlanes == 0; } },
   { GlslClippingPlanes, [](const Needs& n, bool) { return n.ClippingPlanes > 0; } },
   { GlslCroppingBox, [](const Needs& n, bool) { return n.Cropping != CroppingKind::Regions; } },
@@ -98,15 +100,19 @@ const Snippet FragmentSnippets[] = {
   { GlslSpecularTerm, [](const Needs& n, bool) { return n.NeedsNormal() && n.Specular; } },
   { GlslLights, [](const Needs& n, bool) { return n.NeedsNormal(); } },
   { GlslShadowRay, [](const Needs& n, bool) { return Shadowed(n); } },
-  { GlslShadowSoftRay, [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Soft) > 0; } },
-  { GlslShadowHardRay, [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Hard) > 0; } },
+  { GlslShadowSoftRay,
+    [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Soft) > 0; } },
+  { GlslShadowHardRay,
+    [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Hard) > 0; } },
   { GlslLightsDirectional,
     [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Directional) > 0; } },
   { GlslLightFalloff, [](const Needs& n, bool) { return IsPositional(n); } },
   { GlslAttenuationNone, [](const Needs& n, bool) { return IsPositional(n) && !n.Attenuation; } },
-  { GlslAttenuationDistance, [](const Needs& n, bool) { return IsPositional(n) && n.Attenuation; } },
+  { GlslAttenuationDistance,
+    [](const Needs& n, bool) { return IsPositional(n) && n.Attenuation; } },
   { GlslLightPoint, [](const Needs& n, bool) { return IsPositional(n); } },
-  { GlslLightsPoint, [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Point) > 0; } },
+  { GlslLightsPoint,
+    [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Point) > 0; } },
   { GlslLightsSpot, [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Spot) > 0; } },
   { GlslShadingNone, [](const Needs& n, bool) { return !n.Shade; } },
   { GlslShadingAmbient, [](const Needs& n, bool) { return n.Shade && !n.NeedsNormal(); } },

@@ -17,8 +17,8 @@ namespace penumbra
 /// The vertex shader of the box that stands for the volume.
 PENUMBRARENDERING_EXPORT std::string GetVertexShaderSource();
 
-/// The fragment shader for these requirements; continued: a draw that goes on with what earlier draws
-/// of the same picture gathered.
+/// The fragment shader for these requirements; continued: a draw that goes on with what earlier
+/// draws of the same picture gathered.
 PENUMBRARENDERING_EXPORT std::string GetFragmentShaderSource(
   const LightingRequirements& requirements, bool continued);
 

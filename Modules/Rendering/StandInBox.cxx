@@ -20,8 +20,8 @@ StandInBox::StandInBox()
 {
   this->Image->SetDimensions(2, 2, 2);
   this->Image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  std::fill_n(static_cast<unsigned char*>(this->Image->GetScalarPointer()), 8,
-    static_cast<unsigned char>(0));
+  std::fill_n(
+    static_cast<unsigned char*>(this->Image->GetScalarPointer()), 8, static_cast<unsigned char>(0));
   this->Mapper->SetInputData(this->Image);
   this->Mapper->AutoAdjustSampleDistancesOff();
   this->Mapper->UseJitteringOff();
@@ -37,7 +37,8 @@ StandInBox::~StandInBox() = default;
 //------------------------------------------------------------------------------
 void StandInBox::Place(const VolumePlacement& placement)
 {
-  // Sides in world lengths: the ray caster moves the near plane by a fraction of the clipping range.
+  // Sides in world lengths: the ray caster moves the near plane by a fraction of the clipping
+  // range.
   double sides[3];
   this->BoxToTexture = Matrix4{};
   this->BoxToTexture[15] = 1.0;

@@ -2,10 +2,10 @@
  * @file    StandInBox.h
  * @brief   the box that the stock ray caster draws in place of a volume
  *
- * The stock ray caster needs a volume to rasterize its box, read the depth of opaque geometry and keep
- * OpenGL's state. It is given a box of two voxels along each axis that covers the real volume: what it
- * would get wrong about the real one (single slices, mirroring matrices, NaN, more than six lights) never
- * reaches it, and no second copy of the voxels is uploaded.
+ * The stock ray caster needs a volume to rasterize its box, read the depth of opaque geometry and
+ * keep OpenGL's state. It is given a box of two voxels along each axis that covers the real volume:
+ * what it would get wrong about the real one (single slices, mirroring matrices, NaN, more than six
+ * lights) never reaches it, and no second copy of the voxels is uploaded.
  */
 
 #ifndef StandInBox_h

@@ -99,9 +99,8 @@ std::string FindWhatIsNotTakenOver(vtkGPUVolumeRayCastMapper* mapper, vtkDataArr
   {
     return "A render pass that changes volume shaders";
   }
-  for (const std::string& reason :
-    { CheckMapper(mapper), CheckInput(mapper, scalars, cellData),
-      CheckProperty(volume->GetProperty()) })
+  for (const std::string& reason : { CheckMapper(mapper), CheckInput(mapper, scalars, cellData),
+         CheckProperty(volume->GetProperty()) })
   {
     if (!reason.empty())
     {

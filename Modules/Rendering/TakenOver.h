@@ -16,8 +16,8 @@ class vtkVolume;
 namespace penumbra
 {
 
-/// Empty where the illuminated mapper draws the volume itself; else what of the scene it leaves to the
-/// stock ray caster, as the beginning of a sentence. scalars: the array that the mapper draws.
+/// Empty where the illuminated mapper draws the volume itself; else what of the scene it leaves to
+/// the stock ray caster, as the beginning of a sentence. scalars: the array that the mapper draws.
 std::string FindWhatIsNotTakenOver(vtkGPUVolumeRayCastMapper* mapper, vtkDataArray* scalars,
   bool cellData, vtkRenderer* renderer, vtkVolume* volume);
 

@@ -10,7 +10,8 @@ namespace penumbra
 namespace
 {
 template <int Components, typename Function>
-std::array<double, Components> GetLimit(Function* function, double scalar, bool fromBelow, int firstValue)
+std::array<double, Components> GetLimit(
+  Function* function, double scalar, bool fromBelow, int firstValue)
 {
   std::array<double, Components> result{};
   double left[6];
@@ -72,7 +73,8 @@ bool AreClamped(const TransferFunctions& functions)
 //------------------------------------------------------------------------------
 bool ArePiecewiseLinear(const TransferFunctions& functions)
 {
-  const auto isStraight = [](vtkPiecewiseFunction* function) {
+  const auto isStraight = [](vtkPiecewiseFunction* function)
+  {
     double node[4];
     for (int i = 0; i < function->GetSize(); ++i)
     {
@@ -84,7 +86,8 @@ bool ArePiecewiseLinear(const TransferFunctions& functions)
     }
     return !function->GetUseLogScale();
   };
-  if (!AreClamped(functions) || !isStraight(functions.Opacity) || (functions.Gray && !isStraight(functions.Gray)))
+  if (!AreClamped(functions) || !isStraight(functions.Opacity) ||
+    (functions.Gray && !isStraight(functions.Gray)))
   {
     return false;
   }

@@ -16,15 +16,16 @@ namespace
 constexpr int SmallestSize = 1024;
 // Between entries a table is checked at this many even positions of each cell.
 constexpr int ChecksPerCell = 4;
-// Error of the optical depth of one unit distance: relative, or absolute where hardly anything is there.
-// 0.5 % of the depth changes no pixel by more than half a grey level of 255.
+// Error of the optical depth of one unit distance: relative, or absolute where hardly anything is
+// there. 0.5 % of the depth changes no pixel by more than half a grey level of 255.
 constexpr double RelativeTolerance = 0.005;
 constexpr double AbsoluteTolerance = 2e-4;
 // Both opaque within a unit distance: the difference cannot be seen.
 constexpr double OpaqueDepth = 4.0;
 constexpr double ColorTolerance = 0.004;
 
-std::vector<double> SampleColor(const TransferFunctions& functions, double low, double high, int size)
+std::vector<double> SampleColor(
+  const TransferFunctions& functions, double low, double high, int size)
 {
   std::vector<double> color(3 * static_cast<size_t>(size), 1.0);
   if (functions.Color && functions.Color->GetSize() > 0 &&
@@ -75,8 +76,8 @@ bool DepthsAgree(double exact, double interpolated)
 }
 
 // Compares the linear interpolation of every ChecksPerCell-th value with the values between.
-bool InterpolationHolds(const std::vector<double>& extinction, const std::vector<double>& color,
-  double unitDistance)
+bool InterpolationHolds(
+  const std::vector<double>& extinction, const std::vector<double>& color, double unitDistance)
 {
   const size_t last = extinction.size() - 1;
   for (size_t cell = 0; cell < last; cell += ChecksPerCell)
@@ -84,17 +85,20 @@ bool InterpolationHolds(const std::vector<double>& extinction, const std::vector
     for (int check = 1; check < ChecksPerCell; ++check)
     {
       const double fraction = static_cast<double>(check) / ChecksPerCell;
-      const auto between = [&](const std::vector<double>& values, size_t stride, size_t channel) {
+      const auto between = [&](const std::vector<double>& values, size_t stride, size_t channel)
+      {
         return (1.0 - fraction) * values[stride * cell + channel] +
           fraction * values[stride * (cell + ChecksPerCell) + channel];
       };
-      if (!DepthsAgree(extinction[cell + check] * unitDistance, between(extinction, 1, 0) * unitDistance))
+      if (!DepthsAgree(
+            extinction[cell + check] * unitDistance, between(extinction, 1, 0) * unitDistance))
       {
         return false;
       }
       for (size_t channel = 0; channel < 3; ++channel)
       {
-        if (std::abs(color[3 * (cell + check) + channel] - between(color, 3, channel)) > ColorTolerance)
+        if (std::abs(color[3 * (cell + check) + channel] - between(color, 3, channel)) >
+          ColorTolerance)
         {
           return false;
         }
@@ -134,14 +138,15 @@ std::array<double, 4> Interpolate(const TransferFunctionTable& table, double sca
   return result;
 }
 
-bool Agrees(const TransferFunctionPoint& exact, const std::array<double, 4>& interpolated, double unitDistance)
+bool Agrees(const TransferFunctionPoint& exact, const std::array<double, 4>& interpolated,
+  double unitDistance)
 {
-  bool agrees = DepthsAgree(
-    ComputeExtinction(exact.ColorAndOpacity[3], 1.0), interpolated[3] * unitDistance);
+  bool agrees =
+    DepthsAgree(ComputeExtinction(exact.ColorAndOpacity[3], 1.0), interpolated[3] * unitDistance);
   for (int channel = 0; channel < 3; ++channel)
   {
-    agrees = agrees &&
-      std::abs(exact.ColorAndOpacity[channel] - interpolated[channel]) <= ColorTolerance;
+    agrees =
+      agrees && std::abs(exact.ColorAndOpacity[channel] - interpolated[channel]) <= ColorTolerance;
   }
   return agrees;
 }
@@ -150,17 +155,19 @@ bool Agrees(const TransferFunctionPoint& exact, const std::array<double, 4>& int
 bool PointsHold(const TransferFunctions& functions, const std::vector<double>& scalars,
   const TransferFunctionTable& table)
 {
-  return std::all_of(scalars.begin(), scalars.end(), [&](double scalar) {
-    if (scalar < table.Low || scalar > table.High)
+  return std::all_of(scalars.begin(), scalars.end(),
+    [&](double scalar)
     {
-      return true;
-    }
-    const auto interpolated = Interpolate(table, scalar);
-    return (scalar == table.Low ||
-             Agrees(GetPoint(functions, scalar, true), interpolated, functions.UnitDistance)) &&
-      (scalar == table.High ||
-        Agrees(GetPoint(functions, scalar, false), interpolated, functions.UnitDistance));
-  });
+      if (scalar < table.Low || scalar > table.High)
+      {
+        return true;
+      }
+      const auto interpolated = Interpolate(table, scalar);
+      return (scalar == table.Low ||
+               Agrees(GetPoint(functions, scalar, true), interpolated, functions.UnitDistance)) &&
+        (scalar == table.High ||
+          Agrees(GetPoint(functions, scalar, false), interpolated, functions.UnitDistance));
+    });
 }
 
 bool FillTable(const TransferFunctions& functions, const std::vector<double>& scalars, int size,
@@ -200,7 +207,8 @@ std::vector<int> GetSizes(const TransferFunctionTable& table, bool integerData, 
 }
 
 // Points far outside the data would take the digits of those within.
-std::vector<double> ClipToData(const TransferFunctions& functions, const std::vector<double>& scalars)
+std::vector<double> ClipToData(
+  const TransferFunctions& functions, const std::vector<double>& scalars)
 {
   std::vector<double> clipped = { functions.DataLow };
   for (double scalar : scalars)
@@ -214,9 +222,8 @@ std::vector<double> ClipToData(const TransferFunctions& functions, const std::ve
   return clipped;
 }
 
-void FillPoints(
-  const TransferFunctions& functions, const std::vector<TransferFunctionPoint>& points,
-  TransferFunctionTable& table)
+void FillPoints(const TransferFunctions& functions,
+  const std::vector<TransferFunctionPoint>& points, TransferFunctionTable& table)
 {
   table.Lookup = TransferFunctionLookup::Points;
   table.Low = functions.DataLow;
@@ -291,7 +298,8 @@ GradientOpacityTable MakeGradientOpacityTable(
     return table;
   }
   double node[4];
-  const auto getNode = [&](int i, int value) {
+  const auto getNode = [&](int i, int value)
+  {
     function->GetNodeValue(i, node);
     return node[value];
   };

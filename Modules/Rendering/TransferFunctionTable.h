@@ -3,9 +3,9 @@
  * @brief   transfer functions as tables, or as their own points where no table is accurate
  *
  * A table is even in the scalar and holds extinction and colour. It is accepted where, between its
- * entries, it keeps the extinction and the colour within the tolerances stated in the source. Functions
- * that no table of the largest size can hold (steps and ramps much narrower than the range of their
- * points) are evaluated exactly, by a search among their points.
+ * entries, it keeps the extinction and the colour within the tolerances stated in the source.
+ * Functions that no table of the largest size can hold (steps and ramps much narrower than the
+ * range of their points) are evaluated exactly, by a search among their points.
  */
 
 #ifndef TransferFunctionTable_h
@@ -34,18 +34,20 @@ struct TransferFunctions
   bool IntegerData = false;
 };
 
-/// Extinction per length of matter whose opacity per unit distance this is (MODEL: at most 1 - 2^-24).
+/// Extinction per length of matter whose opacity per unit distance this is (MODEL: at most 1 -
+/// 2^-24).
 PENUMBRARENDERING_EXPORT double ComputeExtinction(double opacity, double unitDistance);
 
 struct TransferFunctionTable
 {
   TransferFunctionLookup Lookup = TransferFunctionLookup::Table;
-  /// False where the functions change faster than the largest table can follow, and have too many points.
+  /// False where the functions change faster than the largest table can follow, and have too many
+  /// points.
   bool Accurate = true;
   double Low = 0.0; ///< scalar of the first entry
   double High = 0.0;
-  std::vector<float> Extinction; ///< Table
-  std::vector<float> Color;      ///< Table: 3 an entry
+  std::vector<float> Extinction;    ///< Table
+  std::vector<float> Color;         ///< Table: 3 an entry
   std::vector<double> PointScalars; ///< Points: relative to Low, ascending; both ends of a step
   std::vector<float> PointColors;   ///< Points: colour and opacity, 4 a point
 
@@ -56,9 +58,10 @@ struct TransferFunctionTable
 PENUMBRARENDERING_EXPORT TransferFunctionTable MakeTransferFunctionTable(
   const TransferFunctions& functions, int largestSize);
 
-/// A table of a gradient opacity function between the points where it begins and ceases to change, and
-/// no further than the largest gradient. It is even in the root of the distance from Low: such functions
-/// rise at gradients that are small against the largest. Ramps narrower than its cells are smoothed.
+/// A table of a gradient opacity function between the points where it begins and ceases to change,
+/// and no further than the largest gradient. It is even in the root of the distance from Low: such
+/// functions rise at gradients that are small against the largest. Ramps narrower than its cells
+/// are smoothed.
 struct GradientOpacityTable
 {
   double Low = 0.0;

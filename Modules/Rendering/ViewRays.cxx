@@ -34,10 +34,10 @@ Matrix3 FromColumns(const Vector3& a, const Vector3& b, const Vector3& c)
   return { a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2] };
 }
 
-// All rays leave the eye. They are based on the plane through the middle of the volume, so that an eye
-// far away costs no digits; where that plane is behind the eye, on the eye.
-void ComputePerspectiveRays(
-  const VolumePlacement& placement, const Matrix4& clipToTexture, const Vector3& eye, ViewRays& rays)
+// All rays leave the eye. They are based on the plane through the middle of the volume, so that an
+// eye far away costs no digits; where that plane is behind the eye, on the eye.
+void ComputePerspectiveRays(const VolumePlacement& placement, const Matrix4& clipToTexture,
+  const Vector3& eye, ViewRays& rays)
 {
   Vector3 direction[3];
   const int columns[3] = { 0, 1, 3 };

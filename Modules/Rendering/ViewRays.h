@@ -14,11 +14,11 @@
 namespace penumbra
 {
 
-/// View rays in texture coordinates as linear functions of the position (x, y) on the image plane in
-/// normalized device coordinates: base + t * direction, the eye at t = EyeParameter.
+/// View rays in texture coordinates as linear functions of the position (x, y) on the image plane
+/// in normalized device coordinates: base + t * direction, the eye at t = EyeParameter.
 struct PENUMBRARENDERING_EXPORT ViewRays
 {
-  Matrix3 Base{};      ///< columns: x, y, 1
+  Matrix3 Base{}; ///< columns: x, y, 1
   Matrix3 Direction{};
   double EyeParameter = 0.0;
   std::array<double, 4> ClipDepth{}; ///< rows z and w of the map from texture to clip coordinates

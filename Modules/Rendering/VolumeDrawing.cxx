@@ -47,17 +47,18 @@ void VolumeDrawing::DrawPart(vtkRenderer* renderer, const Part& part)
 }
 
 //------------------------------------------------------------------------------
-bool VolumeDrawing::Gather(vtkRenderer* renderer, const AccumulationBuffer::Viewport& viewport,
-  double imageSampleDistance)
+bool VolumeDrawing::Gather(
+  vtkRenderer* renderer, const AccumulationBuffer::Viewport& viewport, double imageSampleDistance)
 {
-  const auto reduced = [&](int pixels) {
-    return std::max(1, static_cast<int>(std::lround(pixels / imageSampleDistance)));
-  };
+  const auto reduced = [&](int pixels)
+  { return std::max(1, static_cast<int>(std::lround(pixels / imageSampleDistance))); };
   const AccumulationBuffer::Viewport gathered = { 0, 0, reduced(viewport.Width),
     reduced(viewport.Height) };
   const MarchingPlan& plan = this->Scene->Plan;
-  return this->Accumulation.Gather(
-    this->Window, viewport, gathered.Width, gathered.Height, plan.Draws, [&](int draw) {
+  return this->Accumulation.Gather(this->Window, viewport, gathered.Width, gathered.Height,
+    plan.Draws,
+    [&](int draw)
+    {
       const int first = draw * plan.StepsPerDraw;
       this->DrawPart(renderer, { gathered, first, first + plan.StepsPerDraw });
     });

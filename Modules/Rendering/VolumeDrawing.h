@@ -34,7 +34,8 @@ public:
     NoFloatFramebuffer ///< a picture of several draws or of fewer pixels has nowhere to be gathered
   };
 
-  /// Draws with the textures as they are loaded. imageSampleDistance: pixels of the viewport per ray.
+  /// Draws with the textures as they are loaded. imageSampleDistance: pixels of the viewport per
+  /// ray.
   Result Draw(vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance);
 
   VolumeTextures& GetTextures() { return this->Textures; }

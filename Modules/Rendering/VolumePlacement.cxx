@@ -54,7 +54,8 @@ Matrix4 GetIndexToOwn(vtkImageData* image)
   return matrix;
 }
 
-// Inverse transpose of the linear map from voxels to a frame, given the map from texture coordinates.
+// Inverse transpose of the linear map from voxels to a frame, given the map from texture
+// coordinates.
 Matrix3 GetCovariantMap(const Matrix4& fromTexture, const std::array<int, 3>& dimensions)
 {
   double map[3][3];
@@ -120,8 +121,7 @@ bool Invert(const Matrix4& matrix, Matrix4& inverse)
 //------------------------------------------------------------------------------
 Vector3 MultiplyDirection(const Matrix4& matrix, const Vector3& direction)
 {
-  const auto image =
-    MultiplyHomogeneous(matrix, { direction[0], direction[1], direction[2], 0.0 });
+  const auto image = MultiplyHomogeneous(matrix, { direction[0], direction[1], direction[2], 0.0 });
   return { image[0], image[1], image[2] };
 }
 
@@ -193,8 +193,8 @@ std::array<double, 4> VolumePlacement::GetPlane(vtkPlane* plane) const
       result[axis] += normal[row] * this->TextureToWorld[4 * row + axis];
     }
   }
-  const double scale = 1.0 / std::max(std::hypot(result[0], result[1], result[2]),
-                               std::numeric_limits<double>::min());
+  const double scale =
+    1.0 / std::max(std::hypot(result[0], result[1], result[2]), std::numeric_limits<double>::min());
   for (int axis = 0; axis < 3; ++axis)
   {
     result[axis] *= scale;

@@ -2,11 +2,13 @@
  * @file    VolumePlacement.h
  * @brief   where a volume is, in double precision
  *
- * Everything the shader marches in texture coordinates is composed here in double precision and only
- * the products become floats: volumes far from the origin, tiny or huge ones keep their digits.
+ * Everything the shader marches in texture coordinates is composed here in double precision and
+ * only the products become floats: volumes far from the origin, tiny or huge ones keep their
+ * digits.
  *
- * Texture coordinates t of a voxel index i among n voxels: t = (i + 1/2) / n. The volume's box runs from
- * the first to the last voxel centre; along an axis with a single voxel it is one spacing thick.
+ * Texture coordinates t of a voxel index i among n voxels: t = (i + 1/2) / n. The volume's box runs
+ * from the first to the last voxel centre; along an axis with a single voxel it is one spacing
+ * thick.
  */
 
 #ifndef VolumePlacement_h
@@ -46,7 +48,7 @@ struct PENUMBRARENDERING_EXPORT VolumePlacement
   Matrix4 TextureToOwn{};   ///< to origin + direction * (index * spacing)
   Matrix4 TextureToWorld{}; ///< to the world, by the actor's matrix
   Matrix4 WorldToTexture{};
-  Vector3 BoxLow{};  ///< the visible box in texture coordinates, cropped
+  Vector3 BoxLow{}; ///< the visible box in texture coordinates, cropped
   Vector3 BoxHigh{};
   Vector3 FullBoxLow{}; ///< the whole box
   Vector3 FullBoxHigh{};
@@ -61,7 +63,8 @@ struct PENUMBRARENDERING_EXPORT VolumePlacement
   std::array<double, 4> GetPlane(vtkPlane* plane) const;
   /// Maps differences of the scalar per voxel to a vector along the gradient in the world.
   Matrix3 GetGradientToWorld() const;
-  /// Maps differences of the scalar per voxel to the gradient in the own frame times the mean spacing.
+  /// Maps differences of the scalar per voxel to the gradient in the own frame times the mean
+  /// spacing.
   Matrix3 GetGradientToMagnitude() const;
 };
 
@@ -69,8 +72,8 @@ struct PENUMBRARENDERING_EXPORT VolumePlacement
 PENUMBRARENDERING_EXPORT bool ComputeVolumePlacement(
   vtkImageData* image, vtkMatrix4x4* actorMatrix, VolumePlacement& placement);
 
-/// Texture coordinates of cropping planes, which are given along each axis as origin + index * spacing.
-/// low and high are ordered per axis.
+/// Texture coordinates of cropping planes, which are given along each axis as origin + index *
+/// spacing. low and high are ordered per axis.
 PENUMBRARENDERING_EXPORT void ComputeCroppingPlanes(
   vtkImageData* image, const double planes[6], Vector3& low, Vector3& high);
 

@@ -26,12 +26,11 @@ bool IsInteger(int scalarType)
   return scalarType != VTK_FLOAT && scalarType != VTK_DOUBLE;
 }
 
-// In scalar units per mean voxel: half the range a voxel along each axis, and half as much again for what
-// float rounding adds.
+// In scalar units per mean voxel: half the range a voxel along each axis, and half as much again
+// for what float rounding adds.
 double BoundGradient(const ScalarRange& range, const double spacing[3])
 {
-  const double mean =
-    (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
+  const double mean = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
   const double perVoxel = 0.75 * (range.High - range.Low);
   return perVoxel * std::hypot(mean / spacing[0], mean / spacing[1], mean / spacing[2]);
 }
@@ -46,8 +45,8 @@ void Prepare(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int filte
   texture->SetMagnificationFilter(filter);
 }
 
-// Scale and offset from what the scalar texture returns to the coordinate of an even table whose first
-// and last entries, at the centres of their texels, belong to low and high.
+// Scale and offset from what the scalar texture returns to the coordinate of an even table whose
+// first and last entries, at the centres of their texels, belong to low and high.
 std::array<double, 2> GetTableCoordinate(
   double low, double high, size_t size, double scale, double offset)
 {
@@ -182,18 +181,16 @@ void VolumeTextures::LoadPoints(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void VolumeTextures::LoadGradientOpacity(
-  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
+void VolumeTextures::LoadGradientOpacity(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
 {
   if (!property->HasGradientOpacity(0) || property->GetDisableGradientOpacity(0))
   {
     this->GradientOpacityTexture->ReleaseGraphicsResources(window);
     return;
   }
-  this->GradientOpacity =
-    MakeGradientOpacityTable(property->GetGradientOpacity(0),
-      std::min(GradientOpacityTableSize, vtkTextureObject::GetMaximumTextureSize(window)),
-      this->LargestGradient);
+  this->GradientOpacity = MakeGradientOpacityTable(property->GetGradientOpacity(0),
+    std::min(GradientOpacityTableSize, vtkTextureObject::GetMaximumTextureSize(window)),
+    this->LargestGradient);
   Prepare(this->GradientOpacityTexture, window, vtkTextureObject::Linear);
   this->GradientOpacityTexture->Create1DFromRaw(
     static_cast<unsigned int>(this->GradientOpacity.Opacity.size()), 1, VTK_FLOAT,
@@ -214,9 +211,9 @@ int VolumeTextures::GetLookupIterations() const
 std::vector<vtkTextureObject*> VolumeTextures::GetLoaded() const
 {
   std::vector<vtkTextureObject*> loaded;
-  for (vtkTextureObject* texture : std::initializer_list<vtkTextureObject*>{
-         this->Scalars.GetTexture(), this->Mask, this->Extinction, this->Color, this->Points,
-         this->GradientOpacityTexture })
+  for (vtkTextureObject* texture :
+    std::initializer_list<vtkTextureObject*>{ this->Scalars.GetTexture(), this->Mask,
+      this->Extinction, this->Color, this->Points, this->GradientOpacityTexture })
   {
     if (texture->GetHandle())
     {

@@ -145,14 +145,15 @@ void vtkIlluminatedVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* vol
   // Picking is the stock ray caster's business without anything being amiss.
   if (!renderer->GetSelector())
   {
-    this->Say(notTakenOver + " is drawn by the stock ray caster, without Penumbra's light and shadow.");
+    this->Say(
+      notTakenOver + " is drawn by the stock ray caster, without Penumbra's light and shadow.");
   }
   this->DrawStock(renderer, volume);
 }
 
 //------------------------------------------------------------------------------
-// The stock ray caster does not end on a sample distance of 0, and VTK 9.1 keeps lights in arrays of six
-// whose bound it does not check.
+// The stock ray caster does not end on a sample distance of 0, and VTK 9.1 keeps lights in arrays
+// of six whose bound it does not check.
 void vtkIlluminatedVolumeMapper::DrawStock(vtkRenderer* renderer, vtkVolume* volume)
 {
   constexpr int largestNumberOfLights = 6;
@@ -195,8 +196,7 @@ double vtkIlluminatedVolumeMapper::GetSampleDistanceOrDefault()
     return 1.0;
   }
   const double* spacing = image->GetSpacing();
-  return 0.5 *
-    std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+  return 0.5 * std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }
 
 //------------------------------------------------------------------------------
@@ -262,8 +262,7 @@ void vtkIlluminatedVolumeMapper::PrepareVisibility(vtkImageData* image)
   const int planes = this->ClippingPlanes ? this->ClippingPlanes->GetNumberOfItems() : 0;
   for (int plane = 0; plane < planes; ++plane)
   {
-    scene.ClippingPlanes.push_back(
-      scene.Placement.GetPlane(this->ClippingPlanes->GetItem(plane)));
+    scene.ClippingPlanes.push_back(scene.Placement.GetPlane(this->ClippingPlanes->GetItem(plane)));
   }
   scene.CroppingFlags = this->Cropping ? this->CroppingRegionFlags : 0;
   this->Internal->AnythingVisible = true;
@@ -293,8 +292,9 @@ bool vtkIlluminatedVolumeMapper::PrepareTextures(vtkOpenGLRenderWindow* window,
   textures.SetInterpolation(property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION);
   if (textures.HasNonFiniteScalars())
   {
-    this->Say("Voxels that are NaN or -Inf count as the smallest finite value of the volume, +Inf as "
-              "the largest.");
+    this->Say(
+      "Voxels that are NaN or -Inf count as the smallest finite value of the volume, +Inf as "
+      "the largest.");
   }
   vtkImageData* mask = this->GetUsableMask(image);
   if (!textures.UpdateMask(window, mask))
@@ -357,8 +357,7 @@ void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeP
 
   Vector3 cameraDirection;
   renderer->GetActiveCamera()->GetDirectionOfProjection(cameraDirection.data());
-  scene.Lights =
-    MakeLightUniforms(lights, property, scene.Placement, Normalized(cameraDirection));
+  scene.Lights = MakeLightUniforms(lights, property, scene.Placement, Normalized(cameraDirection));
   scene.Lights.SetAmbient(ComputeAmbientLight(renderer->GetLights()), property->GetAmbient(0));
 }
 
@@ -369,8 +368,8 @@ void vtkIlluminatedVolumeMapper::PlanDraws()
   MarchingTask task;
   task.Diagonal = scene.Placement.GetDiagonal();
   task.SampleDistance = this->GetSampleDistanceOrDefault();
-  task.ShadowSampleDistance =
-    IsStepLength(this->ShadowSampleDistance) ? this->ShadowSampleDistance : 2.0 * task.SampleDistance;
+  task.ShadowSampleDistance = IsStepLength(this->ShadowSampleDistance) ? this->ShadowSampleDistance
+                                                                       : 2.0 * task.SampleDistance;
   task.Lights = scene.Requirements.GetNumberOfLights();
   task.ShadowedLights = scene.Requirements.GetNumberOfShadowedLights();
   task.LookupIterations = this->Internal->Drawing.GetTextures().GetLookupIterations();

@@ -3,9 +3,9 @@
  * @brief   VTK's GPU volume ray caster with light and shadow
  *
  * A drop-in for vtkGPUVolumeRayCastMapper: put it where the stock mapper stood. Volume, transfer
- * functions, material, lights, camera, cropping, clipping planes and binary mask are taken from where
- * VTK keeps them. A vtkLight lights the volume without a shadow, a vtkVolumeLight with the shadow it
- * asks for.
+ * functions, material, lights, camera, cropping, clipping planes and binary mask are taken from
+ * where VTK keeps them. A vtkLight lights the volume without a shadow, a vtkVolumeLight with the
+ * shadow it asks for.
  *
  * Light is absorbed, emitted and scattered once (Max 1995), with Phong's reflection (Phong 1975) at
  * normals by central differences:
@@ -14,21 +14,22 @@
  *   c = C ka sum(Ia) + sum over lights of att spot V (C kd Id F_d + ks Is F_s)
  *
  * with the extinction s = -ln(1 - opacity) / ScalarOpacityUnitDistance and the visibility V of each
- * light (see vtkVolumeLight). View rays and shadow rays are cut into steps whose samples lie in their
- * middle; the last step has its true length. There is no jitter, and no step length depends on a
- * clock: the same scene gives the same picture.
+ * light (see vtkVolumeLight). View rays and shadow rays are cut into steps whose samples lie in
+ * their middle; the last step has its true length. There is no jitter, and no step length depends
+ * on a clock: the same scene gives the same picture.
  *
  * Lengths that belong to the matter (unit distance, sample distances, shadow bias) are measured in
- * the volume's own coordinates, before the actor's matrix. Lights, camera and clipping planes are in
- * the world. What cropping, clipping planes and a mask hide casts no shadow.
+ * the volume's own coordinates, before the actor's matrix. Lights, camera and clipping planes are
+ * in the world. What cropping, clipping planes and a mask hide casts no shadow.
  *
  * How it works: the stock ray caster draws a box that stands for the volume, and a render pass
- * replaces its GLSL by this module's own, chosen by LightingRequirements. Scenes of equal requirements
- * share one program.
+ * replaces its GLSL by this module's own, chosen by LightingRequirements. Scenes of equal
+ * requirements share one program.
  *
  * What this mapper does not take over (blend modes other than composite, several components, label
  * maps, two-dimensional transfer functions, blanking, cell data, rectilinear grids, multi-volume,
- * render to image, picking, depth peeling of volumes) it leaves to its superclass, and says so once.
+ * render to image, picking, depth peeling of volumes) it leaves to its superclass, and says so
+ * once.
  *
  * @sa vtkVolumeLight
  */
@@ -36,8 +37,8 @@
 #ifndef vtkIlluminatedVolumeMapper_h
 #define vtkIlluminatedVolumeMapper_h
 
-#include "LightingRequirements.h"     // For LightingRequirements
-#include "PenumbraRenderingModule.h"  // For export macro
+#include "LightingRequirements.h"    // For LightingRequirements
+#include "PenumbraRenderingModule.h" // For export macro
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 
 #include <memory> // For std::unique_ptr
@@ -79,8 +80,8 @@ public:
    * Length of a shadow ray's step in the volume's own coordinates. 0 or less: twice the sample
    * distance of the view rays. Default: 0.
    *
-   * The view rays' step is SampleDistance, inherited; here 0 or less, the default, stands for half the
-   * smallest voxel spacing, and AutoAdjustSampleDistances has no effect.
+   * The view rays' step is SampleDistance, inherited; here 0 or less, the default, stands for half
+   * the smallest voxel spacing, and AutoAdjustSampleDistances has no effect.
    */
   vtkSetMacro(ShadowSampleDistance, double);
   vtkGetMacro(ShadowSampleDistance, double);
@@ -92,7 +93,8 @@ public:
   const penumbra::LightingRequirements& GetRequirements() const;
 
   /**
-   * Steps in use by the last Render(), with every default resolved, in the volume's own coordinates.
+   * Steps in use by the last Render(), with every default resolved, in the volume's own
+   * coordinates.
    */
   double GetActualSampleDistance() const;
   double GetActualShadowSampleDistance() const;

@@ -32,8 +32,7 @@ namespace
 // Looks along -z from (0,0,10) at the origin, with y up.
 struct ChangingScene
 {
-  explicit ChangingScene(
-    const std::string& lights, const std::string& opacity = "[[0,0],[100,1]]")
+  explicit ChangingScene(const std::string& lights, const std::string& opacity = "[[0,0],[100,1]]")
     : Volume(MakeRamp({}, 0))
     , Rendering(Resolve(lights, opacity), { this->Volume, nullptr })
   {
@@ -42,7 +41,8 @@ struct ChangingScene
   SceneDescription Resolve(const std::string& lights, const std::string& opacity) const
   {
     SceneDescription scene = ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd" },
-      "transferFunction": { "opacity": )" + opacity + R"( },
+      "transferFunction": { "opacity": )" +
+                                          opacity + R"( },
       "camera": { "position": [0,0,10], "focalPoint": [0,0,0], "viewUp": [0,1,0] },
       "lights": [)" + lights + "] }"),
       "");

@@ -286,6 +286,5 @@ TEST_CASE("JSON of more than a hundred open levels is refused")
   CHECK_THROWS_AS(ParseJson(nested(101)), InputError);
   CHECK_THROWS_WITH(
     ParseJson(std::string(300000, '[')), Catch::Matchers::ContainsSubstring("100 levels"));
-  CHECK_THROWS_WITH(
-    ParseJson(nested(300000)), Catch::Matchers::ContainsSubstring("100 levels"));
+  CHECK_THROWS_WITH(ParseJson(nested(300000)), Catch::Matchers::ContainsSubstring("100 levels"));
 }

@@ -128,8 +128,8 @@ TEST_CASE("A gradient opacity that hardly changes beyond a small gradient keeps 
 {
   for (const double last : { 1.0, 0.98 })
   {
-    // Half a grey level; where the table reaches to the last point, a quarter of a cell at the ramp's end,
-    // 0.06 wide.
+    // Half a grey level; where the table reaches to the last point, a quarter of a cell at the
+    // ramp's end, 0.06 wide.
     const double tolerance = last == 1.0 ? 0.002 : 0.016;
     vtkNew<vtkPiecewiseFunction> function;
     function->AddPoint(0.0, 0.0);

@@ -2,8 +2,9 @@
  * @file IlluminatedScene.h
  * @brief A small scene of one volume and its lights, with everything in reach of a test.
  *
- * The volume's values 0 to 255 rise from transparent red to dense near-white. The camera looks at the
- * volume's centre from above, from the right and from the front, with everything set by numbers.
+ * The volume's values 0 to 255 rise from transparent red to dense near-white. The camera looks at
+ * the volume's centre from above, from the right and from the front, with everything set by
+ * numbers.
  */
 #ifndef IlluminatedScene_h
 #define IlluminatedScene_h

@@ -10,8 +10,8 @@ namespace penumbra
 {
 namespace
 {
-// One renderer gives the same bytes; another driver filters textures with fewer bits, which stays below
-// one grey level. The mildest of the faults is several times as far.
+// One renderer gives the same bytes; another driver filters textures with fewer bits, which stays
+// below one grey level. The mildest of the faults is several times as far.
 constexpr ComparisonThresholds Thresholds = { 1.0, 0.99 };
 
 bool IsWithin(const ImageDifference& difference)
@@ -23,15 +23,17 @@ bool IsWithin(const ImageDifference& difference)
 //------------------------------------------------------------------------------
 Fault LightFromTheOtherSide()
 {
-  return { "light from the other side", [](IlluminatedScene& scene) {
-            vtkLight* light = scene.GetLight();
-            double position[3];
-            double focalPoint[3];
-            light->GetPosition(position);
-            light->GetFocalPoint(focalPoint);
-            light->SetPosition(focalPoint);
-            light->SetFocalPoint(position);
-          } };
+  return { "light from the other side",
+    [](IlluminatedScene& scene)
+    {
+      vtkLight* light = scene.GetLight();
+      double position[3];
+      double focalPoint[3];
+      light->GetPosition(position);
+      light->GetFocalPoint(focalPoint);
+      light->SetPosition(focalPoint);
+      light->SetFocalPoint(position);
+    } };
 }
 
 //------------------------------------------------------------------------------
@@ -43,23 +45,24 @@ Fault NoShadow()
 //------------------------------------------------------------------------------
 Fault HalfTheDensity()
 {
-  return { "half the density", [](IlluminatedScene& scene) {
-            double node[4];
-            for (int i = 0; i < scene.Opacity->GetSize(); ++i)
-            {
-              scene.Opacity->GetNodeValue(i, node);
-              node[1] *= 0.5;
-              scene.Opacity->SetNodeValue(i, node);
-            }
-          } };
+  return { "half the density",
+    [](IlluminatedScene& scene)
+    {
+      double node[4];
+      for (int i = 0; i < scene.Opacity->GetSize(); ++i)
+      {
+        scene.Opacity->GetNodeValue(i, node);
+        node[1] *= 0.5;
+        scene.Opacity->SetNodeValue(i, node);
+      }
+    } };
 }
 
 //------------------------------------------------------------------------------
 void CheckPicture(const std::string& name, const SceneMaker& make, const std::vector<Fault>& faults)
 {
   CHECK(CompareWithBaseline(make()->Render(), name, Thresholds));
-  const auto baseline =
-    ReadPNG(BaselineFolders::OfProject().baselines + "/" + name + ".png");
+  const auto baseline = ReadPNG(BaselineFolders::OfProject().baselines + "/" + name + ".png");
   for (const Fault& fault : faults)
   {
     INFO("with a fault: " << fault.Name);

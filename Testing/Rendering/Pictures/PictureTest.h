@@ -30,7 +30,8 @@ Fault NoShadow();
 Fault HalfTheDensity();
 
 /// Checks that the scene's picture is its baseline's, and that with each of the faults it is not.
-void CheckPicture(const std::string& name, const SceneMaker& make, const std::vector<Fault>& faults);
+void CheckPicture(
+  const std::string& name, const SceneMaker& make, const std::vector<Fault>& faults);
 }
 
 #endif

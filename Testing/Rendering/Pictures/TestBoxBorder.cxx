@@ -6,8 +6,8 @@
 
 using namespace penumbra;
 
-// Rays that run exactly within a face of the box have their whole way or, where the rasterizer leaves
-// the pixel out, none of it.
+// Rays that run exactly within a face of the box have their whole way or, where the rasterizer
+// leaves the pixel out, none of it.
 TEST_CASE("Border: rays within a face of the box are not cut short", "[border]")
 {
   const int axis = GENERATE(0, 1, 2);

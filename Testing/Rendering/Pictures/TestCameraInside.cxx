@@ -9,8 +9,8 @@
 
 using namespace penumbra;
 
-// In even matter of opacity a per unit distance, the view along an axis from d before the border gathers
-// the colour times 1 - (1 - a)^d.
+// In even matter of opacity a per unit distance, the view along an axis from d before the border
+// gathers the colour times 1 - (1 - a)^d.
 TEST_CASE("Camera: within matter a view ray begins at the eye", "[camera]")
 {
   const bool parallel = GENERATE(false, true);

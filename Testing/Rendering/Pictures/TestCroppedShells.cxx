@@ -17,7 +17,8 @@ Fault CroppedHalfAVoxelOff()
 // Cropping between voxels, lit into the cut.
 TEST_CASE("Picture: cropped shells", "[picture]")
 {
-  const SceneMaker make = [] {
+  const SceneMaker make = []
+  {
     auto scene = std::make_unique<IlluminatedScene>(MakeShells({ { 48, 48, 48 } }, 11.0));
     scene->AddDirectionalLight(-0.6, -0.7, -0.4, vtkVolumeLight::Soft);
     scene->Mapper->CroppingOn();

@@ -18,7 +18,8 @@ Fault NoGradientOpacity()
 // Only where the gradient is steep is there matter.
 TEST_CASE("Picture: gradient opacity ball", "[picture]")
 {
-  const SceneMaker make = [] {
+  const SceneMaker make = []
+  {
     VolumeGrid grid;
     grid.dimensions = { 40, 40, 24 };
     grid.spacing = { 1.0, 1.0, 1.75 };

@@ -17,11 +17,13 @@ constexpr double CutHeight = 15.25;
 // A floor, and high above it a slab that shadows it.
 vtkSmartPointer<vtkImageData> MakeFloor(bool withSlab)
 {
-  return SampleField({ { 32, 32, 32 } }, [=](const Point& p) {
-    const bool inFloor = p[1] >= 4.0 && p[1] <= 9.0;
-    const bool inSlab = withSlab && p[1] >= 22.0 && p[1] <= 26.0 && p[0] >= 8.0 && p[0] <= 22.0;
-    return inFloor || inSlab ? 220.0 : 0.0;
-  });
+  return SampleField({ { 32, 32, 32 } },
+    [=](const Point& p)
+    {
+      const bool inFloor = p[1] >= 4.0 && p[1] <= 9.0;
+      const bool inSlab = withSlab && p[1] >= 22.0 && p[1] <= 26.0 && p[0] >= 8.0 && p[0] <= 22.0;
+      return inFloor || inSlab ? 220.0 : 0.0;
+    });
 }
 
 std::unique_ptr<IlluminatedScene> MakeScene(bool withSlab, int shadow)
@@ -58,8 +60,8 @@ void CropRegions(IlluminatedScene& scene)
 
 void Mask(IlluminatedScene& scene)
 {
-  scene.Mapper->SetMaskInput(SampleField(
-    { { 32, 32, 32 } }, [](const Point& p) { return p[1] < CutHeight ? 1.0 : 0.0; }));
+  scene.Mapper->SetMaskInput(
+    SampleField({ { 32, 32, 32 } }, [](const Point& p) { return p[1] < CutHeight ? 1.0 : 0.0; }));
   scene.Mapper->SetMaskTypeToBinary();
 }
 }

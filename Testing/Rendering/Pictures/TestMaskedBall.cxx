@@ -21,7 +21,8 @@ Fault NoMask()
 // A mask hides an eighth of a ball; what it hides casts no shadow.
 TEST_CASE("Picture: masked ball", "[picture]")
 {
-  const SceneMaker make = [] {
+  const SceneMaker make = []
+  {
     auto scene = std::make_unique<IlluminatedScene>(MakeBall({ { 40, 40, 40 } }, 17.0, 6.0));
     scene->AddDirectionalLight(-0.2, -1.0, -0.3, vtkVolumeLight::Soft);
     scene->Mapper->SetMaskInput(MakeMask());

@@ -45,8 +45,8 @@ void AddWall(IlluminatedScene& scene, double z, double right = 200.0)
 }
 }
 
-// A wall hides what is behind it, as a clipping plane does, but its shadow rays still meet the matter
-// there: the light comes from the front, so that none does.
+// A wall hides what is behind it, as a clipping plane does, but its shadow rays still meet the
+// matter there: the light comes from the front, so that none does.
 TEST_CASE("Opaque geometry: a wall through the volume hides what is behind it", "[window]")
 {
   const bool parallel = GENERATE(false, true);

@@ -9,17 +9,20 @@ namespace
 // Two-sided lighting would flip the normal to a light from behind; one-sided must not.
 Fault OneSidedFromBehind()
 {
-  return { "one-sided, light from the other side", [](IlluminatedScene& scene) {
-            scene.Renderer->TwoSidedLightingOff();
-            LightFromTheOtherSide().Break(scene);
-          } };
+  return { "one-sided, light from the other side",
+    [](IlluminatedScene& scene)
+    {
+      scene.Renderer->TwoSidedLightingOff();
+      LightFromTheOtherSide().Break(scene);
+    } };
 }
 }
 
 // Phong shading where the extents are not equal.
 TEST_CASE("Picture: phong uneven spacing", "[picture]")
 {
-  const SceneMaker make = [] {
+  const SceneMaker make = []
+  {
     VolumeGrid grid;
     grid.dimensions = { 48, 48, 32 };
     grid.spacing = { 1.0, 1.0, 2.25 };

@@ -5,8 +5,8 @@
 
 using namespace penumbra;
 
-// A slice counts as one spacing thick: seen along it, matter of opacity a per unit distance has exactly
-// the opacity a over a spacing of that distance.
+// A slice counts as one spacing thick: seen along it, matter of opacity a per unit distance has
+// exactly the opacity a over a spacing of that distance.
 TEST_CASE("Single slice: its opacity is that of one spacing", "[slice]")
 {
   const int axis = GENERATE(0, 1, 2);

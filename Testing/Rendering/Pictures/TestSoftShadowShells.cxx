@@ -9,7 +9,8 @@ using namespace penumbra;
 // Shells dim each other, seen through a cut.
 TEST_CASE("Picture: soft shadow shells", "[picture]")
 {
-  const SceneMaker make = [] {
+  const SceneMaker make = []
+  {
     auto scene = std::make_unique<IlluminatedScene>(MakeShells({ { 48, 48, 48 } }, 11.0));
     scene->AddDirectionalLight(-0.6, -0.7, -0.4, vtkVolumeLight::Soft);
     vtkNew<vtkPlane> plane;

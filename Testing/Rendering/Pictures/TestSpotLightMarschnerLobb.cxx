@@ -8,15 +8,15 @@ namespace
 {
 Fault WiderCone()
 {
-  return { "wider cone",
-    [](IlluminatedScene& scene) { scene.GetLight()->SetConeAngle(28.0); } };
+  return { "wider cone", [](IlluminatedScene& scene) { scene.GetLight()->SetConeAngle(28.0); } };
 }
 }
 
 // A cone of light on the waves of Marschner and Lobb.
 TEST_CASE("Picture: spot light marschner lobb", "[picture]")
 {
-  const SceneMaker make = [] {
+  const SceneMaker make = []
+  {
     VolumeGrid grid;
     grid.dimensions = { 41, 41, 41 };
     auto scene = std::make_unique<IlluminatedScene>(MakeMarschnerLobb(grid));

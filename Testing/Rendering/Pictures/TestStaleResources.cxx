@@ -60,7 +60,8 @@ TEST_CASE("Stale: one array as two volumes of different dimensions", "[stale]")
   CHECK(CompareImages(scene->Render(), expected).largest == 0.0);
 }
 
-TEST_CASE("Stale: a volume that the graphics card cannot hold leaves the last one in order", "[stale]")
+TEST_CASE(
+  "Stale: a volume that the graphics card cannot hold leaves the last one in order", "[stale]")
 {
   auto ball = MakeBall({ { 24, 24, 24 } }, 10.0, 4.0);
   auto scene = MakeScene(ball);

@@ -7,7 +7,8 @@ using namespace penumbra;
 // Emission and absorption alone.
 TEST_CASE("Picture: unlit ball", "[picture]")
 {
-  const SceneMaker make = [] {
+  const SceneMaker make = []
+  {
     auto scene = std::make_unique<IlluminatedScene>(MakeBall({ { 48, 48, 48 } }, 20.0, 8.0));
     scene->Shade(false);
     return scene;
