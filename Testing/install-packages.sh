@@ -11,6 +11,7 @@ packages=(
   libosmesa6-dev
   nlohmann-json3-dev
   libcli11-dev
+  libgdcm-dev
   catch2
 )
 

@@ -1,6 +1,7 @@
 #include "CommandLine.h"
 
 #include "InputError.h"
+#include "ProgramFolder.h"
 
 #include <CLI/CLI.hpp>
 #include <vtkVersion.h>
@@ -36,7 +37,9 @@ struct Words
 
 void AddOptions(CLI::App& program, Words& words, RenderCommand& command)
 {
-  program.add_option("INPUT", words.Input, "Scene file (.json), or a volume")
+  program
+    .add_option(
+      "INPUT", words.Input, "Scene file (.json), or a volume: a file, or a folder of DICOM files")
     ->type_name("SCENE.json|VOLUME");
   program.add_option("--output", words.Output, "Picture to write: .png, or .mha (float32 RGBA)")
     ->type_name("FILE");
@@ -123,6 +126,7 @@ std::optional<RenderCommand> ParseCommandLine(int argc, char* argv[])
   Words words;
   RenderCommand command;
   AddOptions(program, words, command);
+  command.DicomParser = FolderOfProgram(argv[0]) / PENUMBRA_DICOM_PARSER;
   try
   {
     program.parse(argc, argv);

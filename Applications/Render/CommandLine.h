@@ -18,6 +18,8 @@ namespace penumbra
 
 struct RenderCommand
 {
+  /// The program penumbra-dicom-parser, which is beside this one.
+  std::filesystem::path DicomParser;
   /// A scene file or a volume.
   std::filesystem::path Input;
   /// Of the form key.path=value, in the order in which they are applied.

@@ -5,6 +5,7 @@
 #include "OutputFile.h"
 #include "Picture.h"
 #include "Process.h"
+#include "ProgressLine.h"
 #include "RenderingError.h"
 #include "Report.h"
 #include "SceneDefaults.h"
@@ -152,6 +153,18 @@ SceneDescription LoadCommandScene(const RenderCommand& command, CommandOutputs& 
   return scene;
 }
 
+SceneVoxels ReadCommandVoxels(
+  const RenderCommand& command, const VolumeDescription& volume, std::vector<std::string>& warnings)
+{
+  ProgressLine line("reading " + volume.File.u8string());
+  const auto progress = [&line](double part)
+  {
+    line.Tell(part);
+    return true;
+  };
+  return ReadVoxels(volume, { command.DicomParser, progress }, warnings);
+}
+
 void CollectWarnings(const std::vector<std::string>& more, std::vector<std::string>& warnings)
 {
   for (const std::string& warning : more)
@@ -206,8 +219,7 @@ void Execute(const RenderCommand& command, vtkMessageCollector* messages)
   SceneDescription scene = LoadCommandScene(command, outputs);
 
   std::vector<std::string> warnings;
-  TellProgress("reading " + scene.Volume.File.u8string());
-  const SceneVoxels voxels = ReadVoxels(scene.Volume, warnings);
+  const SceneVoxels voxels = ReadCommandVoxels(command, scene.Volume, warnings);
   RefuseReadingErrors(messages);
   ResolveScene(scene, voxels.Volume);
   const std::string savedScene = command.SavedScene ? TextOf(scene, *command.SavedScene) : "";

@@ -6,6 +6,7 @@
 #include <vtkDataArray.h>
 #include <vtkIlluminatedVolumeMapper.h>
 #include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
 #include <vtkPointData.h>
 #include <vtkVersion.h>
 
@@ -37,10 +38,14 @@ Json DescribeVolume(vtkImageData* volume)
 {
   const int* dimensions = volume->GetDimensions();
   const double* spacing = volume->GetSpacing();
+  const double* origin = volume->GetOrigin();
+  const double* direction = volume->GetDirectionMatrix()->GetData();
   double range[2];
   volume->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
   return { { "dims", { dimensions[0], dimensions[1], dimensions[2] } },
     { "spacing", { spacing[0], spacing[1], spacing[2] } },
+    { "origin", { origin[0], origin[1], origin[2] } },
+    { "direction", std::vector<double>(direction, direction + 9) },
     { "scalarType", ScalarTypeName(volume->GetScalarType()) },
     { "range", { range[0], range[1] } } };
 }

@@ -4,10 +4,25 @@
 #include "SceneCamera.h"
 #include "VolumeBox.h"
 
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkStringArray.h>
+
 namespace penumbra
 {
 namespace
 {
+// Which series a DICOM reader has taken.
+void ResolveSeries(std::optional<std::string>& series, vtkImageData* image)
+{
+  auto* const taken =
+    vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("SeriesInstanceUID"));
+  if (taken && taken->GetNumberOfValues() > 0 && !taken->GetValue(0).empty())
+  {
+    series = taken->GetValue(0);
+  }
+}
+
 void ResolveTransferFunction(TransferFunctionDescription& function, vtkImageData* image)
 {
   if (!function.Opacity || !function.Color)
@@ -31,6 +46,7 @@ void ResolveTransferFunction(TransferFunctionDescription& function, vtkImageData
 //------------------------------------------------------------------------------
 void ResolveScene(SceneDescription& scene, vtkImageData* image)
 {
+  ResolveSeries(scene.Volume.Series, image);
   ResolveTransferFunction(scene.TransferFunction, image);
   const double smallest = SmallestSpacing(image);
   scene.SampleDistance = scene.SampleDistance.value_or(0.5 * smallest);

@@ -39,6 +39,9 @@ struct VolumeDescription
   std::uint64_t HeaderBytes = 0;
   ///@}
 
+  /// Series Instance UID, for DICOM. Empty: the series with the most voxels.
+  std::optional<std::string> Series;
+
   /// The actor's matrix: invertible, without perspective.
   std::array<double, 16> Transform = { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0,
     0.0, 0.0, 0.0, 1.0 };

@@ -10,6 +10,11 @@
 
 #include <vtkSmartPointer.h>
 
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
 class vtkGPUVolumeRayCastMapper;
 class vtkImageData;
 class vtkVolumeProperty;
@@ -25,11 +30,21 @@ struct SceneVoxels
   vtkSmartPointer<vtkImageData> Mask;
 };
 
+/// How files are read.
+struct VoxelReading
+{
+  /// The program penumbra-dicom-parser. Empty: DICOM is parsed in this process.
+  std::filesystem::path DicomParser;
+  /// Told how much is done, 0 to 1; returns whether to go on. Empty: nobody is told.
+  std::function<bool(double)> Progress;
+};
+
 /**
  * Reads volume and mask. What a user should know of them is appended to `warnings`.
  * @throw InputError where they cannot be read or do not go together.
  */
-SceneVoxels ReadVoxels(const VolumeDescription& volume, std::vector<std::string>& warnings);
+SceneVoxels ReadVoxels(
+  const VolumeDescription& volume, const VoxelReading& reading, std::vector<std::string>& warnings);
 
 /// Transfer functions and material of a resolved scene.
 vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(const SceneDescription& scene);

@@ -52,12 +52,12 @@ vtkSmartPointer<vtkImageData> ToMaskOf(vtkImageData* volume, vtkImageData* read)
 
 // The reader knows the file, but not which key named it.
 vtkSmartPointer<vtkImageData> ReadFileOfKey(const std::string& key,
-  const std::filesystem::path& file, const RawVolumeGeometry& raw,
+  const std::filesystem::path& file, const VolumeReadingOptions& options,
   std::vector<std::string>& warnings)
 {
   try
   {
-    return ReadVolumeFile(file.u8string(), raw, warnings);
+    return ReadVolumeFile(file.u8string(), options, warnings);
   }
   catch (const VolumeReadingError& error)
   {
@@ -65,12 +65,21 @@ vtkSmartPointer<vtkImageData> ReadFileOfKey(const std::string& key,
   }
 }
 
-vtkSmartPointer<vtkImageData> ReadMask(
-  const std::filesystem::path& file, vtkImageData* volume, std::vector<std::string>& warnings)
+VolumeReadingOptions MakeOptions(const VoxelReading& reading)
 {
-  RawVolumeGeometry raw;
-  std::copy_n(volume->GetDimensions(), 3, raw.dimensions);
-  const auto mask = ReadFileOfKey("volume.mask", file, raw, warnings);
+  VolumeReadingOptions options;
+  options.dicomParser = reading.DicomParser.u8string();
+  options.progress = reading.Progress;
+  return options;
+}
+
+vtkSmartPointer<vtkImageData> ReadMask(const std::filesystem::path& file, vtkImageData* volume,
+  const VoxelReading& reading, std::vector<std::string>& warnings)
+{
+  VolumeReadingOptions options = MakeOptions(reading);
+  options.raw.emplace();
+  std::copy_n(volume->GetDimensions(), 3, options.raw->dimensions);
+  const auto mask = ReadFileOfKey("volume.mask", file, options, warnings);
   if (!std::equal(mask->GetDimensions(), mask->GetDimensions() + 3, volume->GetDimensions()))
   {
     throw InputError("volume.mask is " + file.u8string() + " with " +
@@ -82,13 +91,17 @@ vtkSmartPointer<vtkImageData> ReadMask(
 }
 
 //------------------------------------------------------------------------------
-SceneVoxels ReadVoxels(const VolumeDescription& volume, std::vector<std::string>& warnings)
+SceneVoxels ReadVoxels(
+  const VolumeDescription& volume, const VoxelReading& reading, std::vector<std::string>& warnings)
 {
   SceneVoxels voxels;
-  voxels.Volume = ReadFileOfKey("volume.file", volume.File, MakeRawGeometry(volume), warnings);
+  VolumeReadingOptions options = MakeOptions(reading);
+  options.raw = MakeRawGeometry(volume);
+  options.series = volume.Series.value_or("");
+  voxels.Volume = ReadFileOfKey("volume.file", volume.File, options, warnings);
   if (volume.Mask)
   {
-    voxels.Mask = ReadMask(*volume.Mask, voxels.Volume, warnings);
+    voxels.Mask = ReadMask(*volume.Mask, voxels.Volume, reading, warnings);
   }
   return voxels;
 }

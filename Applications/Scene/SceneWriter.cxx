@@ -38,6 +38,10 @@ Json WriteVolume(const VolumeDescription& volume, const std::filesystem::path& f
     json["byteOrder"] = volume.BigEndian ? "big" : "little";
     json["headerBytes"] = volume.HeaderBytes;
   }
+  if (volume.Series)
+  {
+    json["series"] = *volume.Series;
+  }
   json["transform"] = volume.Transform;
   if (volume.Cropping)
   {

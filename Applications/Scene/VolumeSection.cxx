@@ -71,14 +71,7 @@ std::filesystem::path ReadFile(
     throw InputError(object.PathOf(key) + " is " + (object.Find(key) ? "empty" : "missing") +
       "; it names the file of a volume");
   }
-  const std::filesystem::path file = (folder / std::filesystem::u8path(name)).lexically_normal();
-  std::error_code ignored;
-  if (ExtensionOf(file) == ".dcm" || std::filesystem::is_directory(file, ignored))
-  {
-    throw InputError(object.PathOf(key) + " is " + ValueInWords(*object.Find(key)) +
-      ": DICOM is not available yet; available: .raw .mhd .mha .nrrd .nhdr .nii .nii.gz .vti");
-  }
-  return file;
+  return (folder / std::filesystem::u8path(name)).lexically_normal();
 }
 
 void ReadScalarType(JsonObject& object, std::optional<int>& scalarType)
@@ -118,6 +111,16 @@ void ReadRawGeometry(JsonObject& object, VolumeDescription& volume)
   }
 }
 
+void ReadSeries(JsonObject& object, std::optional<std::string>& series)
+{
+  std::string name;
+  object.Read("series", name);
+  if (!name.empty())
+  {
+    series = name;
+  }
+}
+
 // Other formats know their geometry: these keys may stand there, and hold whatever is of their
 // type.
 void IgnoreRawGeometry(JsonObject& object)
@@ -153,8 +156,7 @@ VolumeDescription ParseVolume(const nlohmann::json& value, const std::filesystem
   {
     IgnoreRawGeometry(object);
   }
-  std::string series; // only folders of DICOM files use it
-  object.Read("series", series);
+  ReadSeries(object, volume.Series);
   object.Read("transform", volume.Transform, AnyNumber);
   if (const nlohmann::json* transform = object.Find("transform"))
   {

@@ -24,6 +24,8 @@ Volume ReadMetaImageVolume(const std::filesystem::path& path, Warnings& warnings
 Volume ReadNrrdVolume(const std::filesystem::path& path, Warnings& warnings);
 Volume ReadNiftiVolume(const std::filesystem::path& path, bool compressed, Warnings& warnings);
 Volume ReadXmlImageVolume(const std::filesystem::path& path, Warnings& warnings);
+Volume ReadDicomVolume(
+  const std::filesystem::path& path, const VolumeReadingOptions& options, Warnings& warnings);
 
 }
 

@@ -1,8 +1,10 @@
 #include "VolumeFile.h"
 
+#include "Dicom/DicomFiles.h"
 #include "FileContent.h"
 #include "FormatReaders.h"
 #include "HeaderText.h"
+#include "OneLine.h"
 #include "vtkImageData.h"
 
 #include <exception>
@@ -41,8 +43,8 @@ void ExpectContent(const std::filesystem::path& path, FileContent expected)
   }
 }
 
-Volume ReadByName(const std::filesystem::path& path, const std::optional<RawVolumeGeometry>& raw,
-  Warnings& warnings)
+Volume ReadByName(
+  const std::filesystem::path& path, const VolumeReadingOptions& options, Warnings& warnings)
 {
   const std::string name = LowerCase(path.filename().u8string());
   if (!std::filesystem::exists(path))
@@ -51,17 +53,17 @@ Volume ReadByName(const std::filesystem::path& path, const std::optional<RawVolu
   }
   if (std::filesystem::is_directory(path))
   {
-    throw VolumeReadingError("it is a folder, and DICOM is not read yet; a file is needed");
+    return ReadDicomVolume(path, options, warnings);
   }
   if (EndsWith(name, ".raw"))
   {
-    if (!raw)
+    if (!options.raw)
     {
       throw VolumeReadingError(
         "a .raw file says nothing about itself; its dimensions and its scalar "
         "type are needed");
     }
-    return ReadRawVolume(path, *raw, warnings);
+    return ReadRawVolume(path, *options.raw, warnings);
   }
   if (EndsWithAny(name, { ".mhd", ".mha" }))
   {
@@ -88,35 +90,25 @@ Volume ReadByName(const std::filesystem::path& path, const std::optional<RawVolu
     ExpectContent(path, FileContent::Xml);
     return ReadXmlImageVolume(path, warnings);
   }
-  if (EndsWith(name, ".dcm") || ContentOf(path) == FileContent::Dicom)
+  if (EndsWithAny(name, { ".dcm", ".dicom" }) || MayBeDicom(path))
   {
-    throw VolumeReadingError("DICOM is not read yet");
+    ContentOf(path); // which refuses what is empty or cannot be read
+    return ReadDicomVolume(path, options, warnings);
   }
-  throw VolumeReadingError("its extension is of no known format; .raw, .mhd, .mha, .nrrd, .nhdr, "
-                           ".nii, .nii.gz or .vti is needed");
-}
-
-// Names and texts from files may hold line ends.
-std::string OneLine(std::string text)
-{
-  for (char& letter : text)
-  {
-    const auto code = static_cast<unsigned char>(letter);
-    letter = code < ' ' || code == 127 ? ' ' : letter;
-  }
-  constexpr std::size_t longest = 1000;
-  return text.size() > longest ? text.substr(0, longest) + "..." : text;
+  throw VolumeReadingError("its extension is of no known format, and it does not start as DICOM "
+                           "does; .raw, .mhd, .mha, .nrrd, .nhdr, .nii, .nii.gz, .vti or DICOM is "
+                           "needed");
 }
 
 }
 
-vtkSmartPointer<vtkImageData> ReadVolumeFile(const std::string& path,
-  const std::optional<RawVolumeGeometry>& raw, std::vector<std::string>& warnings)
+vtkSmartPointer<vtkImageData> ReadVolumeFile(
+  const std::string& path, const VolumeReadingOptions& options, std::vector<std::string>& warnings)
 {
   const std::string start = "cannot read \"" + path + "\": ";
   try
   {
-    return ReadByName(std::filesystem::u8path(path), raw, warnings);
+    return ReadByName(std::filesystem::u8path(path), options, warnings);
   }
   catch (const std::bad_alloc&)
   {

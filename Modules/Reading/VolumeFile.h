@@ -1,6 +1,6 @@
 /**
  * @file    VolumeFile.h
- * @brief   one function that reads a volume file of any known format
+ * @brief   one function that reads a volume of any known format
  *
  * What comes back is one scalar per voxel as the active point scalars of a vtkImageData, whose
  * first voxel has the index (0, 0, 0), and the geometry that the file states: voxel (i, j, k) lies
@@ -14,6 +14,7 @@
  * - .nii, .nii.gz: NIfTI's RAS by the sform where its code is positive, else the qform where its
  *   code is positive, else pixdim alone.
  * - .vti: by Origin, Spacing and Direction.
+ * - DICOM files, folders and DICOMDIRs: as vtkDICOMVolumeReader describes.
  *
  * No format is turned to another's world, so NIfTI's x and y point the other way than those of most
  * MetaImage files. The direction's columns are orthonormal (for .raw: as given); it may mirror.
@@ -36,6 +37,7 @@
 #include "vtkType.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,17 +70,34 @@ struct RawVolumeGeometry
 };
 
 /**
+ * What else a reader is told. Formats that it does not concern ignore it.
+ */
+struct VolumeReadingOptions
+{
+  /// Needed for .raw.
+  std::optional<RawVolumeGeometry> raw;
+  /// Which series of a DICOM folder, by its Series Instance UID. Default: the largest.
+  std::string series;
+  /// The program penumbra-dicom-parser, for DICOM: files that GDCM crashes on do no harm then.
+  /// Default: none, DICOM is parsed in this process.
+  std::string dicomParser;
+  /// Told now and then how much is done, 0 to 1; returns whether to go on. Default: none.
+  std::function<bool(double)> progress;
+};
+
+/**
  * Reads the volume at `path` (UTF-8), whose extension, in any case, names its format: .raw, .mhd,
- * .mha, .nrrd, .nhdr, .nii, .nii.gz or .vti. `raw` is needed for .raw and ignored otherwise. What a
- * user should know about a volume that could be read is appended to `warnings`, one line each.
+ * .mha, .nrrd, .nhdr, .nii, .nii.gz or .vti. Folders, and files of other names that start as DICOM
+ * does, are read as DICOM. What a user should know about a volume that could be read is appended to
+ * `warnings`, one line each.
  *
  * Throws VolumeReadingError, and nothing else, where the file is missing, unreadable, damaged,
  * longer or shorter than it says, named after another format, without exactly one scalar per voxel,
- * or has a geometry that no volume can have. Sizes are checked against the file before memory is
- * asked for. Safe to call from several threads at once.
+ * has a geometry that no volume can have, or where `progress` returns false. Sizes are checked
+ * against the file before memory is asked for. Safe to call from several threads at once.
  */
-PENUMBRAREADING_EXPORT vtkSmartPointer<vtkImageData> ReadVolumeFile(const std::string& path,
-  const std::optional<RawVolumeGeometry>& raw, std::vector<std::string>& warnings);
+PENUMBRAREADING_EXPORT vtkSmartPointer<vtkImageData> ReadVolumeFile(
+  const std::string& path, const VolumeReadingOptions& options, std::vector<std::string>& warnings);
 
 }
 

@@ -142,7 +142,7 @@ TEST_CASE("A mask hides where it is 0, and lies where the volume lies")
   description.Mask = file;
   std::ofstream(file, std::ios::binary) << std::string("\0\2", 2);
   std::vector<std::string> warnings;
-  const SceneVoxels voxels = ReadVoxels(description, warnings);
+  const SceneVoxels voxels = ReadVoxels(description, {}, warnings);
   std::filesystem::remove(file);
   vtkDataArray* shown = voxels.Mask->GetPointData()->GetScalars();
   CHECK(shown->GetDataType() == VTK_UNSIGNED_CHAR);

@@ -35,7 +35,7 @@ std::string Compressed(const std::string& bytes, bool gzip)
 vtkSmartPointer<vtkImageData> Read(const std::string& path)
 {
   std::vector<std::string> warnings;
-  return penumbra::ReadVolumeFile(path, std::nullopt, warnings);
+  return penumbra::ReadVolumeFile(path, {}, warnings);
 }
 
 bool IsSample(vtkImageData* image, double slope, double intercept)
@@ -95,9 +95,11 @@ std::string FailureOf(
   const std::string& path, const std::optional<penumbra::RawVolumeGeometry>& raw)
 {
   std::vector<std::string> warnings;
+  penumbra::VolumeReadingOptions options;
+  options.raw = raw;
   try
   {
-    penumbra::ReadVolumeFile(path, raw, warnings);
+    penumbra::ReadVolumeFile(path, options, warnings);
   }
   catch (const penumbra::VolumeReadingError& error)
   {

@@ -39,7 +39,7 @@ TEST_CASE("What is no volume file is refused in one line")
 {
   const TemporaryFolder folder;
   CHECK_THAT(FailureOf(folder.PathOf("gone.nrrd")), ContainsSubstring("no such file"));
-  CHECK_THAT(FailureOf(folder.PathOf("")), ContainsSubstring("it is a folder"));
+  CHECK_THAT(FailureOf(folder.PathOf("")), ContainsSubstring("folder holds no DICOM"));
   CHECK_THAT(FailureOf(folder.Write("a.png", "x")), ContainsSubstring(".nii.gz"));
   CHECK_THAT(FailureOf(folder.Write("noextension", "x")), ContainsSubstring("extension"));
   for (const char* name : { "a.mhd", "a.mha", "a.nrrd", "a.nhdr", "a.nii", "a.nii.gz", "a.vti" })
@@ -49,13 +49,12 @@ TEST_CASE("What is no volume file is refused in one line")
   }
 }
 
-TEST_CASE("DICOM is refused by name")
+TEST_CASE("What is named or starts as DICOM but is none is refused")
 {
   const TemporaryFolder folder;
-  CHECK_THAT(FailureOf(folder.Write("a.dcm", "x")), ContainsSubstring("DICOM is not read yet"));
+  CHECK_THAT(FailureOf(folder.Write("a.dcm", "x")), ContainsSubstring("does not start"));
   CHECK_THAT(FailureOf(folder.Write("IM0001", std::string(128, '\0') + "DICM")),
-    ContainsSubstring("DICOM is not read yet"));
-  CHECK_THAT(FailureOf(folder.PathOf("")), ContainsSubstring("DICOM is not read yet"));
+    ContainsSubstring("extension"));
 }
 
 TEST_CASE("A file that may not be read is refused")

@@ -77,7 +77,7 @@ TEST_CASE("The first of a NIfTI file's steps in time is read, with a warning")
     { folder.Write("a.nii", file), folder.Write("a.nii.gz", Compressed(file, true)) })
   {
     std::vector<std::string> warnings;
-    CHECK(IsSample(penumbra::ReadVolumeFile(path, std::nullopt, warnings)));
+    CHECK(IsSample(penumbra::ReadVolumeFile(path, {}, warnings)));
     REQUIRE(warnings.size() == 1);
     CHECK_THAT(warnings[0], ContainsSubstring("2 steps in time"));
   }

@@ -74,7 +74,7 @@ TEST_CASE("Integers of 64 bits become doubles, with a warning")
     "NRRD0004\ntype: int64\ndimension: 3\nsizes: 3 4 5\nendian: little\nencoding: raw\n\n";
   std::vector<std::string> warnings;
   const auto image = penumbra::ReadVolumeFile(
-    folder.Write("a.nrrd", header + SampleBytes<long long>()), std::nullopt, warnings);
+    folder.Write("a.nrrd", header + SampleBytes<long long>()), {}, warnings);
   CHECK(image->GetScalarType() == VTK_DOUBLE);
   CHECK(IsSample(image));
   CHECK(warnings.size() == 1);

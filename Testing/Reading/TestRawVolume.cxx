@@ -23,7 +23,9 @@ vtkSmartPointer<vtkImageData> ReadRaw(
   const std::string& path, const penumbra::RawVolumeGeometry& geometry)
 {
   std::vector<std::string> warnings;
-  return penumbra::ReadVolumeFile(path, geometry, warnings);
+  penumbra::VolumeReadingOptions options;
+  options.raw = geometry;
+  return penumbra::ReadVolumeFile(path, options, warnings);
 }
 
 template <typename Value>

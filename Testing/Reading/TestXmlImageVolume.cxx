@@ -83,7 +83,7 @@ TEST_CASE("Without named scalars a VTI file's first array is read, with a warnin
   const TemporaryFolder folder;
   std::vector<std::string> warnings;
   const auto path = folder.Write("a.vti", Document(Image, Text, "<PointData>"));
-  CHECK(IsSample(penumbra::ReadVolumeFile(path, std::nullopt, warnings)));
+  CHECK(IsSample(penumbra::ReadVolumeFile(path, {}, warnings)));
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0], ContainsSubstring("density"));
 }

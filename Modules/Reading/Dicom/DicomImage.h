@@ -1,0 +1,96 @@
+/**
+ * @file    DicomImage.h
+ * @brief   what a DICOM file says about its image, as plain values
+ *
+ * Nothing in it names the patient.
+ */
+
+#ifndef DicomImage_h
+#define DicomImage_h
+
+#include "VolumeGeometry.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+
+/**
+ * A modality value is slope * stored + intercept (DICOM PS3.3, C.11.1.1.2).
+ */
+struct DicomRescale
+{
+  double slope = 1.0;
+  double intercept = 0.0;
+
+  bool operator==(const DicomRescale& other) const
+  {
+    return this->slope == other.slope && this->intercept == other.intercept;
+  }
+};
+
+/**
+ * One slice.
+ */
+struct DicomFrame
+{
+  /// Image Position (Patient): the centre of the first pixel, in mm.
+  std::optional<Vector3> position;
+  /// Image Orientation (Patient): the direction of a row, then of a column.
+  std::optional<std::array<double, 6>> orientation;
+  /// Pixel Spacing: the distance between rows, then between columns, in mm.
+  std::optional<std::array<double, 2>> pixelSpacing;
+  /// Whether it is that of the detector (Imager Pixel Spacing), on which bodies appear magnified.
+  bool isSpacingAtDetector = false;
+  std::optional<double> sliceThickness;
+  std::optional<double> spacingBetweenSlices;
+  DicomRescale rescale;
+  /// What tells images of one position apart: temporal position, echo time, acquisition number,
+  /// instance number and the number within the file.
+  std::array<double, 5> order{};
+};
+
+/**
+ * How a pixel is stored.
+ */
+struct DicomPixelFormat
+{
+  int bitsAllocated = 0;
+  int bitsStored = 0;
+  int highBit = 0;
+  bool isSigned = false;
+
+  bool operator==(const DicomPixelFormat& other) const
+  {
+    return this->bitsAllocated == other.bitsAllocated && this->bitsStored == other.bitsStored &&
+      this->highBit == other.highBit && this->isSigned == other.isSigned;
+  }
+};
+
+struct DicomImage
+{
+  std::string seriesInstanceUID;
+  std::string studyInstanceUID;
+  std::string frameOfReferenceUID;
+  std::string seriesNumber;
+  std::string seriesDescription;
+  std::string modality;
+  /// Unit of the modality values, such as HU; empty where none is known.
+  std::string units;
+  int columns = 0;
+  int rows = 0;
+  DicomPixelFormat pixel;
+  /// Whether small values are shown bright (MONOCHROME1).
+  bool isInverted = false;
+  /// First and last stored value that stand for no measurement.
+  std::optional<std::array<std::int64_t, 2>> padding;
+  std::vector<DicomFrame> frames;
+};
+
+}
+
+#endif

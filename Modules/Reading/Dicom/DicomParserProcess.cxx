@@ -1,0 +1,325 @@
+#include "DicomParserProcess.h"
+
+#include "ChildProcess.h"
+#include "DicomMessages.h"
+#include "DicomVoxels.h"
+#include "SharedArray.h"
+#include "SharedMemory.h"
+#include "vtkDataArray.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+using nlohmann::json;
+
+namespace penumbra
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr double BytesPerMiB = 1048576.0;
+
+// How often the user is asked whether to go on while nothing else happens.
+constexpr double SecondsBetweenLooks = 0.1;
+
+// For the program itself and what libraries keep.
+constexpr std::uint64_t ProgramMemory = std::uint64_t(1) << 30;
+
+// Parsing keeps the file's bytes, and copies of parts of them.
+constexpr std::uint64_t MemoryPerFileByte = 4;
+
+// One conversation with a parser process: its answers are handed to `answer`.
+class Conversation
+{
+public:
+  enum class End
+  {
+    Done,
+    Crashed,
+    TooLong
+  };
+
+  using Answer = std::function<void(const json&)>;
+
+  Conversation(const DicomRequest& request, double secondsPerFile)
+    : Request(request)
+    , SecondsPerFile(secondsPerFile)
+  {
+  }
+
+  End Hold(const fs::path& program, const Answer& answer, const ReadingProgress& progress)
+  {
+    SharedMemory memory;
+    const std::string request = Encode(ToMessage(this->Request));
+    memory.Resize(request.size());
+    std::copy(request.begin(), request.end(), memory.GetData());
+    ChildProcess process({ program.u8string(), memory.GetName() });
+    this->Begin(std::nullopt);
+    std::string bytes;
+    while (true)
+    {
+      const ChildProcess::Output output = process.Wait(SecondsBetweenLooks, bytes);
+      if (!this->TakeAnswers(bytes, answer))
+      {
+        return End::Crashed;
+      }
+      if (!progress(this->Progress))
+      {
+        throw ReadingCancelled();
+      }
+      if (output == ChildProcess::Output::Ended)
+      {
+        return this->IsDone ? End::Done : End::Crashed;
+      }
+      if (Clock::now() > this->Deadline)
+      {
+        return End::TooLong;
+      }
+    }
+  }
+
+  /// The file that was being parsed at the end, if any was.
+  std::optional<std::size_t> GetStarted() const { return this->Started; }
+
+private:
+  // Returns whether all of it makes sense: a parser that a file has broken may say anything.
+  bool TakeAnswers(std::string& bytes, const Answer& answer)
+  {
+    try
+    {
+      while (const auto message = TakeMessage(bytes))
+      {
+        if (message->contains(DicomAnswer::Start))
+        {
+          this->Begin(message->at(DicomAnswer::Start).get<std::size_t>());
+          message->at(DicomAnswer::Progress).get_to(this->Progress);
+        }
+        else if (message->contains(DicomAnswer::Done))
+        {
+          this->IsDone = true;
+        }
+        else
+        {
+          answer(*message);
+        }
+      }
+      return true;
+    }
+    catch (const json::exception&)
+    {
+      return false;
+    }
+  }
+
+  void Begin(std::optional<std::size_t> file)
+  {
+    this->Started = file;
+    double bytes = 0.0;
+    if (file && *file < this->Request.files.size())
+    {
+      std::error_code ignored;
+      const auto size = fs::file_size(this->Request.files[*file].path, ignored);
+      bytes = ignored ? 0.0 : static_cast<double>(size);
+    }
+    const std::chrono::duration<double> allowed(this->SecondsPerFile + bytes / BytesPerMiB);
+    this->Deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(allowed);
+  }
+
+  const DicomRequest& Request;
+  double SecondsPerFile;
+  std::optional<std::size_t> Started;
+  double Progress = 0.0;
+  bool IsDone = false;
+  Clock::time_point Deadline;
+};
+
+std::string ReasonOf(Conversation::End end)
+{
+  return end == Conversation::End::TooLong ? "the DICOM library does not come to an end with it"
+                                           : "the DICOM library fails on it; it is damaged";
+}
+
+std::uint64_t LargestFile(const std::vector<DicomFile>& files)
+{
+  std::uint64_t largest = 0;
+  for (const DicomFile& file : files)
+  {
+    std::error_code ignored;
+    const auto size = fs::file_size(file.path, ignored);
+    largest = ignored ? largest : std::max<std::uint64_t>(largest, size);
+  }
+  return largest;
+}
+
+std::uint64_t LargestDecoded(const std::vector<DicomFile>& files)
+{
+  std::uint64_t largest = 0;
+  for (const DicomFile& file : files)
+  {
+    const DicomImage& image = file.image;
+    largest = std::max(largest,
+      static_cast<std::uint64_t>(image.columns) * static_cast<std::uint64_t>(image.rows) *
+        image.frames.size() * static_cast<std::uint64_t>(image.pixel.bitsAllocated / 8));
+  }
+  return largest;
+}
+
+std::uint64_t MemoryForHeaders(const DicomRequest& request, const DicomParserLimits& limits)
+{
+  return ProgramMemory + std::min(limits.memory, MemoryPerFileByte * LargestFile(request.files));
+}
+
+std::uint64_t MemoryForVoxels(const DicomRequest& request, const DicomParserLimits& limits)
+{
+  constexpr std::uint64_t widestScalar = 8;
+  const std::uint64_t voxels = widestScalar * NumberOfVoxels(request.plan.geometry, widestScalar);
+  return ProgramMemory +
+    std::min(limits.memory,
+      voxels + MemoryPerFileByte * LargestFile(request.files) +
+        MemoryPerFileByte * LargestDecoded(request.files));
+}
+
+bool IsPossible(const DicomImage& image)
+{
+  return image.columns > 0 && image.rows > 0 && !image.frames.empty();
+}
+
+}
+
+DicomParserProcess::DicomParserProcess(fs::path program, const DicomParserLimits& limits)
+  : Program(std::move(program))
+  , Limits(limits)
+{
+}
+
+std::vector<DicomHeaderResult> DicomParserProcess::ReadHeaders(
+  const std::vector<fs::path>& paths, const ReadingProgress& progress)
+{
+  std::vector<DicomHeaderResult> results;
+  int timesTooLong = 0;
+  while (results.size() < paths.size())
+  {
+    const std::size_t first = results.size();
+    DicomRequest request;
+    for (std::size_t index = first; index < paths.size(); ++index)
+    {
+      request.files.push_back({ paths[index], {} });
+    }
+    request.memoryLimit = MemoryForHeaders(request, this->Limits);
+    const auto answer = [&results, &paths](const json& message)
+    {
+      if (results.size() == paths.size())
+      {
+        return;
+      }
+      if (!message.contains(DicomAnswer::Image))
+      {
+        results.push_back(message.at(DicomAnswer::Failure).get<std::string>());
+        return;
+      }
+      DicomImage image = ImageFromMessage(message.at(DicomAnswer::Image));
+      results.push_back(IsPossible(image) ? DicomHeaderResult(std::move(image))
+                                          : DicomHeaderResult("it is damaged"));
+    };
+    const auto all = static_cast<double>(paths.size());
+    const auto restProgress = [&](double rest)
+    {
+      const auto done = static_cast<double>(first);
+      return progress((done + rest * (all - done)) / all);
+    };
+    Conversation conversation(request, this->Limits.seconds);
+    const Conversation::End end = conversation.Hold(this->Program, answer, restProgress);
+    timesTooLong += end == Conversation::End::TooLong ? 1 : 0;
+    if (timesTooLong > 1)
+    {
+      throw VolumeReadingError("the DICOM library does not come to an end with its file " +
+        paths[std::min(results.size(), paths.size() - 1)].u8string());
+    }
+    if (end != Conversation::End::Done && results.size() < paths.size())
+    {
+      // Where not even the first file was started, the program itself is what fails.
+      if (!conversation.GetStarted())
+      {
+        throw VolumeReadingError("the program " + this->Program.u8string() + " that parses it " +
+          (end == Conversation::End::TooLong ? "hangs" : "fails"));
+      }
+      results.push_back(ReasonOf(end));
+    }
+  }
+  return results;
+}
+
+std::vector<fs::path> DicomParserProcess::ReadDirectory(const fs::path& path)
+{
+  DicomRequest request;
+  request.task = DicomTask::Directory;
+  request.files.push_back({ path, {} });
+  request.memoryLimit = MemoryForHeaders(request, this->Limits);
+  std::vector<fs::path> files;
+  std::string failure;
+  const auto answer = [&files, &failure](const json& message)
+  {
+    if (message.contains(DicomAnswer::Failure))
+    {
+      message.at(DicomAnswer::Failure).get_to(failure);
+      return;
+    }
+    for (const json& file : message.at(DicomAnswer::Files))
+    {
+      files.push_back(PathFromMessage(file));
+    }
+  };
+  Conversation conversation(request, this->Limits.seconds);
+  const Conversation::End end =
+    conversation.Hold(this->Program, answer, [](double) { return true; });
+  if (end != Conversation::End::Done || !failure.empty())
+  {
+    throw VolumeReadingError(failure.empty() ? ReasonOf(end) : failure);
+  }
+  return files;
+}
+
+DicomVoxelArray DicomParserProcess::ReadVoxels(
+  const std::vector<DicomFile>& files, const DicomVolumePlan& plan, const ReadingProgress& progress)
+{
+  SharedMemory voxels;
+  DicomRequest request;
+  request.task = DicomTask::Voxels;
+  request.files = files;
+  request.plan = plan;
+  request.voxels = voxels.GetName();
+  request.memoryLimit = MemoryForVoxels(request, this->Limits);
+  std::optional<DicomVoxels> read;
+  std::string failure;
+  const auto answer = [&read, &failure](const json& message)
+  {
+    if (message.contains(DicomAnswer::Failure))
+    {
+      message.at(DicomAnswer::Failure).get_to(failure);
+      return;
+    }
+    read = { message.at(DicomAnswer::ScalarType), message.at(DicomAnswer::Filled) };
+  };
+  Conversation conversation(request, this->Limits.seconds);
+  const Conversation::End end = conversation.Hold(this->Program, answer, progress);
+  if (end == Conversation::End::Done && failure.empty() && read)
+  {
+    voxels.Map();
+    const auto count = static_cast<vtkIdType>(NumberOfVoxels(plan.geometry, 1));
+    return { MakeSharedArray(std::move(voxels), read->scalarType, count), read->filled };
+  }
+  const std::string reason = failure.empty() ? ReasonOf(end) : failure;
+  if (!conversation.GetStarted() || *conversation.GetStarted() >= files.size())
+  {
+    throw VolumeReadingError(reason);
+  }
+  throw DicomFileError(*conversation.GetStarted(), reason);
+}
+
+}

@@ -1,0 +1,48 @@
+/**
+ * @class   DicomParserProcess
+ * @brief   parses DICOM files in a process of its own, with limits
+ *
+ * A file on which that process crashes, or spends too long, is one that cannot be read. Voxels come
+ * back in memory that both processes share, so that they are not copied.
+ */
+
+#ifndef DicomParserProcess_h
+#define DicomParserProcess_h
+
+#include "DicomParser.h"
+
+#include <cstdint>
+
+namespace penumbra
+{
+
+struct DicomParserLimits
+{
+  /// Bytes of memory for files and voxels, beside what the program needs for itself.
+  std::uint64_t memory = 0;
+  /// Seconds for one file, and one more for each MiB of it.
+  double seconds = 0.0;
+};
+
+class DicomParserProcess : public DicomParser
+{
+public:
+  /**
+   * `program` is penumbra-dicom-parser.
+   */
+  DicomParserProcess(std::filesystem::path program, const DicomParserLimits& limits);
+
+  std::vector<DicomHeaderResult> ReadHeaders(
+    const std::vector<std::filesystem::path>& paths, const ReadingProgress& progress) override;
+  std::vector<std::filesystem::path> ReadDirectory(const std::filesystem::path& path) override;
+  DicomVoxelArray ReadVoxels(const std::vector<DicomFile>& files, const DicomVolumePlan& plan,
+    const ReadingProgress& progress) override;
+
+private:
+  std::filesystem::path Program;
+  DicomParserLimits Limits;
+};
+
+}
+
+#endif

@@ -1,0 +1,330 @@
+#include "DicomScalars.h"
+
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+#include <type_traits>
+
+namespace penumbra
+{
+
+namespace
+{
+
+// Padding that lies further below all other values, in parts of their range, would stretch it.
+constexpr double FarBelow = 0.05;
+
+std::int64_t LowestStored(const DicomPixelFormat& pixel)
+{
+  return pixel.isSigned ? -(std::int64_t(1) << (pixel.bitsStored - 1)) : 0;
+}
+
+std::int64_t HighestStored(const DicomPixelFormat& pixel)
+{
+  return (std::int64_t(1) << (pixel.isSigned ? pixel.bitsStored - 1 : pixel.bitsStored)) - 1;
+}
+
+bool IsWhole(double number)
+{
+  return std::abs(number) < 2147483648.0 && number == std::round(number);
+}
+
+struct ScalarRange
+{
+  int type;
+  double lowest;
+  double highest;
+};
+
+template <typename Scalar>
+ScalarRange RangeOf(int type)
+{
+  return { type, static_cast<double>(std::numeric_limits<Scalar>::lowest()),
+    static_cast<double>(std::numeric_limits<Scalar>::max()) };
+}
+
+// The smallest type that holds what is possible, or where that is more than 16 bits, first those
+// that hold what is likely; then wider ones, for voxels without a measurement need a value too.
+std::vector<int> IntegerTypes(const DicomValues& values)
+{
+  const ScalarRange all[] = { RangeOf<std::uint8_t>(VTK_UNSIGNED_CHAR),
+    RangeOf<std::int8_t>(VTK_SIGNED_CHAR), RangeOf<std::int16_t>(VTK_SHORT),
+    RangeOf<std::uint16_t>(VTK_UNSIGNED_SHORT), RangeOf<std::int32_t>(VTK_INT),
+    RangeOf<std::uint32_t>(VTK_UNSIGNED_INT) };
+  const auto smallest = std::find_if(std::begin(all), std::end(all),
+    [&values](const ScalarRange& type)
+    { return type.lowest <= values.possible[0] && values.possible[1] <= type.highest; });
+  const bool isLong = smallest == std::end(all) || smallest - std::begin(all) >= 4;
+  std::vector<int> types;
+  if (isLong && values.mostBitsAllocated <= 16)
+  {
+    types = { VTK_SHORT, VTK_UNSIGNED_SHORT };
+  }
+  if (smallest != std::end(all))
+  {
+    types.push_back(smallest->type);
+  }
+  if (!isLong)
+  {
+    types.push_back(VTK_INT);
+  }
+  types.push_back(VTK_DOUBLE);
+  return types;
+}
+
+template <typename Stored>
+Stored StoredAt(const char* bytes, std::size_t index)
+{
+  Stored value;
+  std::memcpy(&value, bytes + index * sizeof(Stored), sizeof(Stored));
+  return value;
+}
+
+// The bits that are stored, as a number.
+class StoredBits
+{
+public:
+  explicit StoredBits(const DicomPixelFormat& pixel)
+    : Shift(pixel.highBit + 1 - pixel.bitsStored)
+    , Mask((std::uint64_t(1) << pixel.bitsStored) - 1)
+    , Sign(pixel.isSigned ? std::uint64_t(1) << (pixel.bitsStored - 1) : 0)
+  {
+  }
+
+  std::int64_t operator()(std::uint64_t bits) const
+  {
+    const std::uint64_t value = (bits >> this->Shift) & this->Mask;
+    return static_cast<std::int64_t>(value ^ this->Sign) - static_cast<std::int64_t>(this->Sign);
+  }
+
+private:
+  int Shift;
+  std::uint64_t Mask;
+  std::uint64_t Sign;
+};
+
+template <typename Scalar>
+struct Converted
+{
+  Scalar value;
+  bool isHeld;
+};
+
+template <typename Scalar>
+Converted<Scalar> ToScalar(double value)
+{
+  if constexpr (std::is_floating_point_v<Scalar>)
+  {
+    return { static_cast<Scalar>(value), true };
+  }
+  else
+  {
+    const bool isHeld = value >= static_cast<double>(std::numeric_limits<Scalar>::lowest()) &&
+      value <= static_cast<double>(std::numeric_limits<Scalar>::max());
+    return { isHeld ? static_cast<Scalar>(value) : Scalar(0), isHeld };
+  }
+}
+
+// What one stored value becomes.
+template <typename Scalar>
+class StoredToScalar
+{
+public:
+  StoredToScalar(const DicomPixelFormat& pixel, const DicomImage& image,
+    const DicomRescale& rescale, const std::optional<Scalar>& marker)
+    : Bits(pixel)
+    , Rescale(rescale)
+    , Marker(marker)
+    , Padding(image.padding)
+    , Turned(image.isInverted && image.units.empty())
+    , Sum(LowestStored(pixel) + HighestStored(pixel))
+  {
+  }
+
+  Converted<Scalar> operator()(std::uint64_t bits) const
+  {
+    const std::int64_t stored = this->Bits(bits);
+    if (this->Padding && stored >= (*this->Padding)[0] && stored <= (*this->Padding)[1])
+    {
+      return { *this->Marker, true };
+    }
+    const double shown = static_cast<double>(this->Turned ? this->Sum - stored : stored);
+    Converted<Scalar> converted =
+      ToScalar<Scalar>(this->Rescale.slope * shown + this->Rescale.intercept);
+    const bool isMarker = this->Marker && converted.value == *this->Marker;
+    converted.isHeld = converted.isHeld && !isMarker;
+    return converted;
+  }
+
+private:
+  StoredBits Bits;
+  DicomRescale Rescale;
+  std::optional<Scalar> Marker;
+  std::optional<std::array<std::int64_t, 2>> Padding;
+  bool Turned;
+  std::int64_t Sum;
+};
+
+template <typename Stored, typename Scalar>
+bool ConvertAll(
+  const char* bytes, std::size_t count, const StoredToScalar<Scalar>& convert, Scalar* values)
+{
+  bool isHeld = true;
+  const auto take = [values, &isHeld](std::size_t index, const Converted<Scalar>& converted)
+  {
+    values[index] = converted.value;
+    isHeld = isHeld && converted.isHeld;
+  };
+  const std::size_t possible = std::size_t(1) << std::min<std::size_t>(8 * sizeof(Stored), 16);
+  if (sizeof(Stored) > 2 || count < possible)
+  {
+    for (std::size_t index = 0; index < count; ++index)
+    {
+      take(index, convert(StoredAt<Stored>(bytes, index)));
+    }
+    return isHeld;
+  }
+  // Fewer values are possible than there are pixels: what each becomes is found once.
+  std::vector<Converted<Scalar>> table(possible);
+  for (std::size_t bits = 0; bits < possible; ++bits)
+  {
+    table[bits] = convert(bits);
+  }
+  for (std::size_t index = 0; index < count; ++index)
+  {
+    take(index, table[StoredAt<Stored>(bytes, index)]);
+  }
+  return isHeld;
+}
+
+}
+
+DicomValues SummarizeValues(const std::vector<DicomImageFrame>& slices)
+{
+  DicomValues values;
+  values.possible = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
+  std::set<double> paddings;
+  for (const auto& [image, frame] : slices)
+  {
+    const DicomRescale& rescale = image->frames[frame].rescale;
+    const auto value = [&rescale](std::int64_t stored)
+    { return rescale.slope * static_cast<double>(stored) + rescale.intercept; };
+    for (const double extreme :
+      { value(LowestStored(image->pixel)), value(HighestStored(image->pixel)) })
+    {
+      values.possible[0] = std::min(values.possible[0], extreme);
+      values.possible[1] = std::max(values.possible[1], extreme);
+    }
+    values.areWhole = values.areWhole && IsWhole(rescale.slope) && IsWhole(rescale.intercept);
+    values.mostBitsStored = std::max(values.mostBitsStored, image->pixel.bitsStored);
+    values.mostBitsAllocated = std::max(values.mostBitsAllocated, image->pixel.bitsAllocated);
+    if (image->padding)
+    {
+      paddings.insert(value((*image->padding)[0]));
+    }
+  }
+  values.hasPadding = !paddings.empty();
+  if (paddings.size() == 1)
+  {
+    values.padding = *paddings.begin();
+  }
+  return values;
+}
+
+std::vector<int> PossibleScalarTypes(const DicomValues& values)
+{
+  const bool isPaddingOne = !values.hasPadding || values.padding;
+  if (!values.areWhole || !isPaddingOne)
+  {
+    return { values.mostBitsStored > 24 ? VTK_DOUBLE : VTK_FLOAT };
+  }
+  return IntegerTypes(values);
+}
+
+template <typename Scalar>
+std::optional<Scalar> PaddingMarker(const DicomValues& values)
+{
+  if (!values.hasPadding)
+  {
+    return std::nullopt;
+  }
+  if (std::is_floating_point_v<Scalar> || !values.padding)
+  {
+    return std::numeric_limits<Scalar>::quiet_NaN();
+  }
+  const Converted<Scalar> converted = ToScalar<Scalar>(*values.padding);
+  return converted.isHeld ? converted.value : std::numeric_limits<Scalar>::lowest();
+}
+
+template <typename Scalar>
+bool ConvertFrame(const DicomPixels& pixels, const DicomImage& image, std::size_t frame,
+  const std::optional<Scalar>& marker, Scalar* values)
+{
+  const std::size_t count =
+    static_cast<std::size_t>(image.columns) * static_cast<std::size_t>(image.rows);
+  const std::size_t pixelBytes = static_cast<std::size_t>(pixels.format.bitsAllocated) / 8;
+  const char* bytes = pixels.bytes.data() + frame * count * pixelBytes;
+  const StoredToScalar<Scalar> convert(pixels.format, image, image.frames[frame].rescale, marker);
+  switch (pixelBytes)
+  {
+    case 1:
+      return ConvertAll<std::uint8_t>(bytes, count, convert, values);
+    case 2:
+      return ConvertAll<std::uint16_t>(bytes, count, convert, values);
+    default:
+      return ConvertAll<std::uint32_t>(bytes, count, convert, values);
+  }
+}
+
+template <typename Scalar>
+std::size_t FillPadding(const std::optional<Scalar>& marker, Scalar* values, std::size_t count)
+{
+  if (!marker)
+  {
+    return 0;
+  }
+  const auto isMarked = [&marker](Scalar value)
+  { return value == *marker || (value != value && *marker != *marker); };
+  Scalar lowest = std::numeric_limits<Scalar>::max();
+  Scalar highest = std::numeric_limits<Scalar>::lowest();
+  std::size_t marked = count;
+  for (std::size_t index = 0; index < count; ++index)
+  {
+    if (!isMarked(values[index]))
+    {
+      lowest = std::min(lowest, values[index]);
+      highest = std::max(highest, values[index]);
+      --marked;
+    }
+  }
+  const double below = static_cast<double>(lowest) - static_cast<double>(*marker);
+  const double range = static_cast<double>(highest) - static_cast<double>(lowest);
+  const bool isNear = below > 0.0 && below <= FarBelow * range;
+  if (marked < count && isNear)
+  {
+    return 0;
+  }
+  std::replace_if(values, values + count, isMarked, marked < count ? lowest : Scalar(0));
+  return marked;
+}
+
+#define InstantiateForScalar(Scalar)                                                               \
+  template std::optional<Scalar> PaddingMarker<Scalar>(const DicomValues&);                        \
+  template bool ConvertFrame<Scalar>(                                                              \
+    const DicomPixels&, const DicomImage&, std::size_t, const std::optional<Scalar>&, Scalar*);    \
+  template std::size_t FillPadding<Scalar>(const std::optional<Scalar>&, Scalar*, std::size_t)
+
+InstantiateForScalar(std::uint8_t);
+InstantiateForScalar(std::int8_t);
+InstantiateForScalar(std::uint16_t);
+InstantiateForScalar(std::int16_t);
+InstantiateForScalar(std::uint32_t);
+InstantiateForScalar(std::int32_t);
+InstantiateForScalar(float);
+InstantiateForScalar(double);
+
+}

@@ -1,0 +1,146 @@
+#include "SharedMemory.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace penumbra
+{
+
+namespace
+{
+
+[[noreturn]] void ThrowError(const char* what)
+{
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+int MakeHandle()
+{
+#ifdef __linux__
+  return memfd_create("penumbra", 0);
+#else
+  const std::string name = "/penumbra-" + std::to_string(getpid());
+  const int handle = shm_open(name.c_str(), O_CREAT | O_EXCL | O_RDWR, 0600);
+  if (handle >= 0)
+  {
+    shm_unlink(name.c_str());
+    fcntl(handle, F_SETFD, 0); // the process that is started is to have it
+  }
+  return handle;
+#endif
+}
+
+}
+
+SharedMemory::SharedMemory()
+  : Handle(MakeHandle())
+{
+  if (this->Handle < 0)
+  {
+    ThrowError("cannot make shared memory");
+  }
+}
+
+SharedMemory::SharedMemory(const std::string& name)
+{
+  try
+  {
+    this->Handle = std::stoi(name);
+  }
+  catch (const std::logic_error&)
+  {
+    errno = EINVAL;
+    ThrowError("cannot open shared memory");
+  }
+}
+
+SharedMemory::~SharedMemory()
+{
+  this->Unmap();
+  if (this->Handle >= 0)
+  {
+    close(this->Handle);
+  }
+}
+
+SharedMemory::SharedMemory(SharedMemory&& other) noexcept
+  : Handle(std::exchange(other.Handle, -1))
+  , Data(std::exchange(other.Data, nullptr))
+  , Size(std::exchange(other.Size, 0))
+{
+}
+
+std::string SharedMemory::GetName() const
+{
+  return std::to_string(this->Handle);
+}
+
+void SharedMemory::Resize(std::size_t size)
+{
+  this->Unmap();
+  const bool isPossible = size <= static_cast<std::size_t>(std::numeric_limits<off_t>::max());
+  if (!isPossible || ftruncate(this->Handle, static_cast<off_t>(size)) != 0)
+  {
+    throw std::bad_alloc();
+  }
+  this->Map();
+}
+
+void SharedMemory::Map()
+{
+  this->Unmap();
+  struct stat status = {};
+  if (fstat(this->Handle, &status) != 0)
+  {
+    throw std::bad_alloc();
+  }
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size == 0)
+  {
+    return;
+  }
+  void* data = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, this->Handle, 0);
+  if (data == MAP_FAILED)
+  {
+    throw std::bad_alloc();
+  }
+  this->Data = static_cast<char*>(data);
+  this->Size = size;
+}
+
+void SharedMemory::Unmap()
+{
+  if (this->Data)
+  {
+    munmap(this->Data, this->Size);
+    this->Data = nullptr;
+    this->Size = 0;
+  }
+}
+
+void LimitMemory(std::size_t bytes)
+{
+  rlimit memory = {};
+  if (getrlimit(RLIMIT_AS, &memory) == 0)
+  {
+    memory.rlim_cur = memory.rlim_max == RLIM_INFINITY
+      ? static_cast<rlim_t>(bytes)
+      : std::min(memory.rlim_max, static_cast<rlim_t>(bytes));
+    setrlimit(RLIMIT_AS, &memory);
+  }
+  const rlimit none = {};
+  setrlimit(RLIMIT_CORE, &none);
+}
+
+}

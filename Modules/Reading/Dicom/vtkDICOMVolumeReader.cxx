@@ -1,0 +1,343 @@
+#include "vtkDICOMVolumeReader.h"
+
+#include "DicomParserProcess.h"
+#include "DicomVolumeReading.h"
+#include "LocalDicomParser.h"
+#include "OneLine.h"
+#include "VolumeReadingError.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtksys/SystemInformation.hxx"
+
+#include <exception>
+#include <new>
+#include <optional>
+
+using namespace penumbra;
+
+vtkStandardNewMacro(vtkDICOMVolumeReader);
+vtkCxxSetObjectMacro(vtkDICOMVolumeReader, FileNames, vtkStringArray);
+
+namespace
+{
+
+// Headers are the smaller part of the work.
+constexpr double HeadersPart = 0.2;
+
+vtkTypeUInt64 HalfOfMemory()
+{
+  vtksys::SystemInformation machine;
+  machine.RunMemoryCheck();
+  constexpr vtkTypeUInt64 bytesPerMiB = 1048576;
+  return static_cast<vtkTypeUInt64>(machine.GetTotalPhysicalMemory()) * bytesPerMiB / 2;
+}
+
+// Scalars are at least as large as what is stored.
+void CheckMemory(const DicomVolumeReading& reading, vtkTypeUInt64 limit)
+{
+  const auto scalarSize =
+    static_cast<vtkTypeUInt64>(reading.GetSelected().files.front().image.pixel.bitsAllocated / 8);
+  const vtkTypeUInt64 needed = scalarSize * NumberOfVoxels(reading.GetPlan().geometry, scalarSize);
+  if (needed > limit)
+  {
+    throw VolumeReadingError("its voxels need " + std::to_string(needed) +
+      " bytes, more than the memory limit of " + std::to_string(limit));
+  }
+}
+
+void AddText(vtkFieldData* fields, const char* name, const std::string& text)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  fields->AddArray(array);
+}
+
+}
+
+//------------------------------------------------------------------------------
+class vtkDICOMVolumeReader::Internals
+{
+public:
+  // Runs `task` and returns whether it came to its end; what is thrown is reported.
+  template <typename Task>
+  bool Attempt(vtkDICOMVolumeReader* self, const Task& task)
+  {
+    this->ErrorMessage.clear();
+    self->SetErrorCode(vtkErrorCode::NoError);
+    try
+    {
+      task();
+      return true;
+    }
+    catch (const ReadingCancelled& cancelled)
+    {
+      this->ErrorMessage = cancelled.what();
+      return false;
+    }
+    catch (const std::bad_alloc&)
+    {
+      self->SetErrorCode(vtkErrorCode::UserError);
+      this->ErrorMessage = "there is not enough memory for it";
+    }
+    catch (const std::exception& error)
+    {
+      self->SetErrorCode(vtkErrorCode::FileFormatError);
+      this->ErrorMessage = error.what();
+    }
+    this->ErrorMessage = OneLine(this->ErrorMessage);
+    vtkErrorWithObjectMacro(
+      self, "cannot read " << OneLine(self->DescribeInput()) << ": " << this->ErrorMessage);
+    return false;
+  }
+
+  // Null where there is no such series.
+  const DicomSeries* GetSeries(int index) const
+  {
+    const bool isThere = this->Reading && index >= 0 &&
+      static_cast<std::size_t>(index) < this->Reading->GetSeries().size();
+    return isThere ? &this->Reading->GetSeries()[static_cast<std::size_t>(index)] : nullptr;
+  }
+
+  std::optional<DicomVolumeReading> Reading;
+  std::unique_ptr<DicomParser> Parser;
+  vtkNew<vtkStringArray> Warnings;
+  std::string ErrorMessage;
+};
+
+//------------------------------------------------------------------------------
+vtkDICOMVolumeReader::vtkDICOMVolumeReader()
+  : State(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkDICOMVolumeReader::~vtkDICOMVolumeReader()
+{
+  this->SetFileName(nullptr);
+  this->SetFileNames(nullptr);
+  this->SetSeries(nullptr);
+  this->SetParserProgram(nullptr);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDICOMVolumeReader::DescribeInput() const
+{
+  if (this->FileNames && this->FileNames->GetNumberOfValues() > 0)
+  {
+    return std::to_string(this->FileNames->GetNumberOfValues()) + " files, \"" +
+      this->FileNames->GetValue(0) + "\" first";
+  }
+  return this->FileName ? "\"" + std::string(this->FileName) + "\"" : "without a file name";
+}
+
+//------------------------------------------------------------------------------
+void vtkDICOMVolumeReader::FindVolume()
+{
+  Internals& state = *this->State;
+  const vtkTypeUInt64 memory = this->MemoryLimit > 0 ? this->MemoryLimit : HalfOfMemory();
+  if (this->ParserProgram && *this->ParserProgram)
+  {
+    state.Parser = std::make_unique<DicomParserProcess>(
+      std::filesystem::u8path(this->ParserProgram), DicomParserLimits{ memory, this->TimeLimit });
+  }
+  else
+  {
+    state.Parser = std::make_unique<LocalDicomParser>();
+  }
+  const auto progress = [this](double part)
+  {
+    this->UpdateProgress(part);
+    return !this->GetAbortExecute();
+  };
+  state.Reading.reset();
+  DicomVolumeReading reading;
+  if (this->FileNames && this->FileNames->GetNumberOfValues() > 0)
+  {
+    std::vector<std::filesystem::path> paths;
+    for (vtkIdType index = 0; index < this->FileNames->GetNumberOfValues(); ++index)
+    {
+      paths.push_back(std::filesystem::u8path(std::string(this->FileNames->GetValue(index))));
+    }
+    reading.FindSeries(paths, *state.Parser, progress);
+  }
+  else if (this->FileName && *this->FileName)
+  {
+    reading.FindSeries(std::filesystem::u8path(this->FileName), *state.Parser, progress);
+  }
+  else
+  {
+    throw VolumeReadingError("a file, a folder or a list of files is needed");
+  }
+  state.Reading = std::move(reading);
+  state.Reading->SelectSeries(this->Series ? this->Series : "");
+  CheckMemory(*state.Reading, memory);
+}
+
+//------------------------------------------------------------------------------
+int vtkDICOMVolumeReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  this->SetAbortExecute(0);
+  this->SetProgressShiftScale(0.0, HeadersPart);
+  this->State->Warnings->Initialize();
+  VolumeGeometry geometry;
+  geometry.dimensions = { 0, 0, 0 };
+  if (this->State->Attempt(this, [this]() { this->FindVolume(); }))
+  {
+    this->TakeWarnings();
+    geometry = this->State->Reading->GetPlan().geometry;
+  }
+  else
+  {
+    this->State->Reading.reset();
+  }
+  this->SetProgressShiftScale(HeadersPart, 1.0 - HeadersPart);
+  const int extent[6] = { 0, static_cast<int>(geometry.dimensions[0]) - 1, 0,
+    static_cast<int>(geometry.dimensions[1]) - 1, 0, static_cast<int>(geometry.dimensions[2]) - 1 };
+  vtkInformation* output = outputs->GetInformationObject(0);
+  output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  output->Set(vtkDataObject::ORIGIN(), geometry.origin.data(), 3);
+  output->Set(vtkDataObject::SPACING(), geometry.spacing.data(), 3);
+  output->Set(vtkDataObject::DIRECTION(), geometry.direction.data(), 9);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkDICOMVolumeReader::ReadVoxels()
+{
+  const auto progress = [this](double part)
+  {
+    this->UpdateProgress(part);
+    return !this->GetAbortExecute();
+  };
+  return this->State->Reading->ReadVoxels(*this->State->Parser, progress);
+}
+
+//------------------------------------------------------------------------------
+void vtkDICOMVolumeReader::DescribeVolume(vtkImageData* volume)
+{
+  const DicomSeries& series = this->State->Reading->GetSelected();
+  const DicomImage& image = series.files.front().image;
+  AddText(volume->GetFieldData(), "Modality", image.modality);
+  AddText(volume->GetFieldData(), "Units", image.units);
+  AddText(volume->GetFieldData(), "SeriesInstanceUID", image.seriesInstanceUID);
+}
+
+//------------------------------------------------------------------------------
+int vtkDICOMVolumeReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkImageData* volume = vtkImageData::GetData(outputs);
+  volume->Initialize();
+  vtkSmartPointer<vtkDataArray> voxels;
+  // Why there is no volume has been told; the pipeline would add nothing but lines.
+  if (!this->State->Reading ||
+    !this->State->Attempt(this, [this, &voxels]() { voxels = this->ReadVoxels(); }))
+  {
+    return 1;
+  }
+  this->TakeWarnings();
+  ApplyGeometry(this->State->Reading->GetPlan().geometry, volume);
+  voxels->SetName("DICOM");
+  volume->GetPointData()->SetScalars(voxels);
+  this->DescribeVolume(volume);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkDICOMVolumeReader::TakeWarnings()
+{
+  this->State->Warnings->Initialize();
+  for (const std::string& warning : this->State->Reading->GetWarnings())
+  {
+    this->State->Warnings->InsertNextValue(warning);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkDICOMVolumeReader::GetWarnings()
+{
+  return this->State->Warnings;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDICOMVolumeReader::GetErrorMessage()
+{
+  return this->State->ErrorMessage.c_str();
+}
+
+//------------------------------------------------------------------------------
+int vtkDICOMVolumeReader::GetNumberOfSeries()
+{
+  const auto& reading = this->State->Reading;
+  return reading ? static_cast<int>(reading->GetSeries().size()) : 0;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDICOMVolumeReader::GetSeriesName(int series)
+{
+  const DicomSeries* of = this->State->GetSeries(series);
+  return of ? of->name.c_str() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDICOMVolumeReader::GetSeriesModality(int series)
+{
+  const DicomSeries* of = this->State->GetSeries(series);
+  return of ? of->files.front().image.modality.c_str() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDICOMVolumeReader::GetSeriesDescription(int series)
+{
+  const DicomSeries* of = this->State->GetSeries(series);
+  return of ? of->files.front().image.seriesDescription.c_str() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkDICOMVolumeReader::GetSeriesNumberOfImages(int series)
+{
+  const DicomSeries* of = this->State->GetSeries(series);
+  return of ? static_cast<int>(of->NumberOfImages()) : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkDICOMVolumeReader::GetSeriesColumns(int series)
+{
+  const DicomSeries* of = this->State->GetSeries(series);
+  return of ? of->files.front().image.columns : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkDICOMVolumeReader::GetSeriesRows(int series)
+{
+  const DicomSeries* of = this->State->GetSeries(series);
+  return of ? of->files.front().image.rows : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkDICOMVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto text = [](const char* value) { return value ? value : "(none)"; };
+  os << indent << "FileName: " << text(this->FileName) << "\n";
+  os << indent << "FileNames: " << this->FileNames << "\n";
+  os << indent << "Series: " << text(this->Series) << "\n";
+  os << indent << "ParserProgram: " << text(this->ParserProgram) << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
+  os << indent << "NumberOfSeries: " << this->GetNumberOfSeries() << "\n";
+  os << indent << "NumberOfWarnings: " << this->State->Warnings->GetNumberOfValues() << "\n";
+}
