@@ -5,8 +5,20 @@
 namespace penumbra
 {
 
+namespace
+{
+
+std::mutex& GetMutex()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
+}
+
 ChildProcess::ChildProcess(const std::vector<std::string>& command)
-  : Process(vtksysProcess_New())
+  : OnlyOne(GetMutex())
+  , Process(vtksysProcess_New())
 {
   std::vector<const char*> arguments;
   for (const std::string& argument : command)

@@ -1,6 +1,9 @@
 /**
  * @class   ChildProcess
  * @brief   a program started by this one, and what it writes to its standard output
+ *
+ * There is one at a time, for KWSys keeps all of them in one place without a lock; the next one, of
+ * another thread, waits.
  */
 
 #ifndef ChildProcess_h
@@ -8,7 +11,7 @@
 
 #include "vtksys/Process.h"
 
-#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -44,6 +47,7 @@ public:
   Output Wait(double seconds, std::string& bytes);
 
 private:
+  std::unique_lock<std::mutex> OnlyOne;
   vtksysProcess* Process;
 };
 

@@ -1,10 +1,14 @@
 #include "DicomFrames.h"
 
 #include "DicomTags.h"
+#include "NumberText.h"
 #include "VolumeReadingError.h"
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
 
 namespace penumbra
 {
@@ -12,8 +16,17 @@ namespace penumbra
 namespace
 {
 
-// A day of video has fewer; more is a damaged number.
-constexpr double MostFrames = 1e6;
+// Even where frames are compressed, each is an item with a tag and a length.
+constexpr double FewestBytesPerFrame = 8.0;
+
+// Kinds of images whose frames follow each other in time.
+constexpr std::array<const char*, 6> CineModalities{ "XA", "RF", "US", "IVUS", "ES", "XC" };
+
+// In mm. No scanner is as large: it is a damaged number.
+constexpr double FarthestPosition = 1e6;
+
+// Larger slopes and intercepts leave no scalar type that holds the values.
+constexpr double LargestRescale = 1e30;
 
 // By what images of one position are told apart, see DicomFrame::order.
 enum Order
@@ -31,13 +44,40 @@ void Replace(std::optional<Value>& value, const std::optional<Value>& by)
   value = by ? by : value;
 }
 
+// Replaces `value` by what the file says, if it says anything.
+void ReadFactor(const DicomDataSet& data, const gdcm::Tag& tag, const char* name, double& value)
+{
+  if (data.Text(tag).empty())
+  {
+    return;
+  }
+  const auto factor = data.Decimal(tag);
+  if (!factor || std::abs(*factor) > LargestRescale)
+  {
+    throw VolumeReadingError(
+      std::string("its ") + name + " is \"" + data.Text(tag) + "\"; a number is needed");
+  }
+  value = *factor;
+}
+
 void ReadRescale(const DicomDataSet& data, DicomRescale& rescale)
 {
-  rescale.slope = data.Decimal(DicomTags::RescaleSlope).value_or(rescale.slope);
-  rescale.intercept = data.Decimal(DicomTags::RescaleIntercept).value_or(rescale.intercept);
-  rescale.slope = data.Decimal(DicomTags::DoseGridScaling).value_or(rescale.slope);
-  // A slope of 0 would leave nothing to see, and is what careless writers put for none.
-  rescale.slope = rescale.slope == 0.0 ? 1.0 : rescale.slope;
+  ReadFactor(data, DicomTags::RescaleSlope, "Rescale Slope", rescale.slope);
+  ReadFactor(data, DicomTags::RescaleIntercept, "Rescale Intercept", rescale.intercept);
+  ReadFactor(data, DicomTags::DoseGridScaling, "Dose Grid Scaling", rescale.slope);
+  if (rescale.slope == 0.0)
+  {
+    throw VolumeReadingError("its Rescale Slope is 0, by which all values are one");
+  }
+}
+
+std::optional<Vector3> ReadPosition(const DicomDataSet& data)
+{
+  const auto position = data.DecimalArray<3>(DicomTags::ImagePositionPatient);
+  const bool isUsable = position &&
+    std::all_of(position->begin(), position->end(),
+      [](double value) { return std::abs(value) <= FarthestPosition; });
+  return isUsable ? position : std::nullopt;
 }
 
 double ReadTemporalPosition(const DicomDataSet& data)
@@ -50,7 +90,7 @@ double ReadTemporalPosition(const DicomDataSet& data)
 DicomFrame ReadCommon(const DicomDataSet& data)
 {
   DicomFrame frame;
-  frame.position = data.DecimalArray<3>(DicomTags::ImagePositionPatient);
+  frame.position = ReadPosition(data);
   frame.orientation = data.DecimalArray<6>(DicomTags::ImageOrientationPatient);
   frame.pixelSpacing = data.DecimalArray<2>(DicomTags::PixelSpacing);
   frame.sliceThickness = data.Decimal(DicomTags::SliceThickness);
@@ -69,7 +109,7 @@ void ReadDetector(const DicomDataSet& data, DicomFrame& frame)
   if (detectors.Size() > 0)
   {
     const DicomDataSet detector = detectors.Item(0);
-    Replace(frame.position, detector.DecimalArray<3>(DicomTags::ImagePositionPatient));
+    Replace(frame.position, ReadPosition(detector));
     Replace(frame.orientation, detector.DecimalArray<6>(DicomTags::ImageOrientationPatient));
   }
 }
@@ -88,8 +128,7 @@ void ReadGroup(const DicomDataSet& groups, const gdcm::Tag& tag, const Read& rea
 void ReadFunctionalGroups(const DicomDataSet& groups, DicomFrame& frame)
 {
   ReadGroup(groups, DicomTags::PlanePositionSequence,
-    [&frame](const DicomDataSet& item)
-    { Replace(frame.position, item.DecimalArray<3>(DicomTags::ImagePositionPatient)); });
+    [&frame](const DicomDataSet& item) { frame.position = ReadPosition(item); });
   ReadGroup(groups, DicomTags::PlaneOrientationSequence,
     [&frame](const DicomDataSet& item)
     { Replace(frame.orientation, item.DecimalArray<6>(DicomTags::ImageOrientationPatient)); });
@@ -151,13 +190,20 @@ void MoveAlongNormal(DicomFrame& frame, double distance)
   }
 }
 
-void PlaceByOffsets(std::vector<DicomFrame>& frames, std::vector<double> offsets)
+// Offsets that start at 0 are along the normal, others are z coordinates of axial slices.
+void PlaceByOffsets(std::vector<DicomFrame>& frames, const std::vector<double>& offsets)
 {
-  // Offsets that do not start at 0 are positions along the normal of axial slices.
-  const double first = offsets.front();
+  const bool areCoordinates = offsets.front() != 0.0;
   for (std::size_t index = 0; index < frames.size(); ++index)
   {
-    MoveAlongNormal(frames[index], offsets[index] - first);
+    if (areCoordinates)
+    {
+      (*frames[index].position)[2] = offsets[index];
+    }
+    else
+    {
+      MoveAlongNormal(frames[index], offsets[index]);
+    }
   }
 }
 
@@ -192,6 +238,9 @@ void RefuseFramesThatAreNoSlices(const DicomDataSet& data)
       areMoments || pointer == DicomTags::FrameTime || pointer == DicomTags::FrameTimeVector;
     areNuclear = areNuclear || pointer.GetGroup() == DicomTags::SliceVector.GetGroup();
   }
+  const std::string modality = data.Text(DicomTags::Modality);
+  areMoments = areMoments ||
+    std::find(CineModalities.begin(), CineModalities.end(), modality) != CineModalities.end();
   if (areMoments)
   {
     throw VolumeReadingError("its frames are moments in time, not slices of a volume");
@@ -220,12 +269,13 @@ void PlaceFrames(const DicomDataSet& data, std::vector<DicomFrame>& frames)
 
 }
 
-std::vector<DicomFrame> ReadDicomFrames(const DicomDataSet& data)
+std::vector<DicomFrame> ReadDicomFrames(const DicomDataSet& data, std::uint64_t fileSize)
 {
   const double count = data.Decimal(DicomTags::NumberOfFrames).value_or(1.0);
-  if (!(count <= MostFrames))
+  if (count * FewestBytesPerFrame > static_cast<double>(fileSize))
   {
-    throw VolumeReadingError("it says that it has " + std::to_string(count) + " frames");
+    throw VolumeReadingError("it says that it has " + NumberText(count) + " frames, but it has " +
+      std::to_string(fileSize) + " bytes");
   }
   DicomFrame common = ReadCommon(data);
   ReadDetector(data, common);

@@ -159,6 +159,13 @@ std::string ReadUnits(const DicomDataSet& data, const std::string& modality)
   return modality == "CT" && data.Has(DicomTags::RescaleIntercept) ? "HU" : "";
 }
 
+// Values of these modalities are measurements even where the file names no unit.
+bool HasUnit(const DicomImage& image)
+{
+  return !image.units.empty() || image.modality == "CT" || image.modality == "PT" ||
+    image.modality == "RTDOSE";
+}
+
 void ReadNames(const DicomDataSet& data, DicomImage& image)
 {
   image.seriesInstanceUID = data.Text(DicomTags::SeriesInstanceUID);
@@ -169,7 +176,7 @@ void ReadNames(const DicomDataSet& data, DicomImage& image)
   image.modality = data.Text(DicomTags::Modality);
 }
 
-DicomImage ReadImage(const DicomDataSet& data)
+DicomImage ReadImage(const DicomDataSet& data, std::uint64_t fileSize)
 {
   RefuseWhatIsNoImage(data);
   DicomImage image;
@@ -185,11 +192,12 @@ DicomImage ReadImage(const DicomDataSet& data)
   const std::string photometric = data.Text(DicomTags::PhotometricInterpretation);
   RefuseColours(data, photometric);
   image.isInverted = photometric == "MONOCHROME1";
+  image.isTurnedOver = image.isInverted && !HasUnit(image);
   image.pixel = ReadPixelFormat(data);
   RefuseOtherPixels(data, image.pixel);
   RefuseMosaics(data);
   image.padding = ReadPadding(data, image.pixel);
-  image.frames = ReadDicomFrames(data);
+  image.frames = ReadDicomFrames(data, fileSize);
   return image;
 }
 
@@ -199,11 +207,17 @@ DicomImage ReadDicomHeader(const std::filesystem::path& path)
 {
   gdcm::Reader reader;
   const DicomStream stream(path, reader);
-  if (!reader.ReadUpToTag(DicomTags::PixelData))
+  const bool isRead = reader.ReadUpToTag(DicomTags::PixelData, { DicomTags::PixelData });
+  const gdcm::TransferSyntax& syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
+  if (syntax != gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian)
+  {
+    stream.ThrowIfCutShort();
+  }
+  if (!isRead)
   {
     throw VolumeReadingError("it is no DICOM file or is damaged");
   }
-  return ReadImage(DicomDataSet(reader.GetFile().GetDataSet()));
+  return ReadImage(DicomDataSet(reader.GetFile().GetDataSet()), stream.GetSize());
 }
 
 }

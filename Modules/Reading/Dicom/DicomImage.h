@@ -86,6 +86,8 @@ struct DicomImage
   DicomPixelFormat pixel;
   /// Whether small values are shown bright (MONOCHROME1).
   bool isInverted = false;
+  /// Whether these are turned over within the bits stored, for they have no unit.
+  bool isTurnedOver = false;
   /// First and last stored value that stand for no measurement.
   std::optional<std::array<std::int64_t, 2>> padding;
   std::vector<DicomFrame> frames;

@@ -100,7 +100,7 @@ DicomVolumePlan PlanFromMessage(const json& message)
   message.at(0).get_to(plan.geometry.dimensions);
   for (const json& source : message.at(1))
   {
-    plan.sources.push_back({ source.at(0), source.at(1) });
+    plan.sources.push_back({ source.at(0), source.at(1), 0.0 });
   }
   for (const json& slice : message.at(2))
   {
@@ -145,8 +145,8 @@ json ToMessage(const DicomImage& image)
   }
   return json::array({ image.seriesInstanceUID, image.studyInstanceUID, image.frameOfReferenceUID,
     image.seriesNumber, image.seriesDescription, image.modality, image.units, image.columns,
-    image.rows, PixelMessage(image.pixel), image.isInverted, Optional(image.padding),
-    std::move(frames) });
+    image.rows, PixelMessage(image.pixel), image.isInverted, image.isTurnedOver,
+    Optional(image.padding), std::move(frames) });
 }
 
 DicomImage ImageFromMessage(const json& message)
@@ -163,8 +163,9 @@ DicomImage ImageFromMessage(const json& message)
   message.at(8).get_to(image.rows);
   image.pixel = PixelFromMessage(message.at(9));
   message.at(10).get_to(image.isInverted);
-  Take(message.at(11), image.padding);
-  for (const json& frame : message.at(12))
+  message.at(11).get_to(image.isTurnedOver);
+  Take(message.at(12), image.padding);
+  for (const json& frame : message.at(13))
   {
     image.frames.push_back(FrameFromMessage(frame));
   }

@@ -3,6 +3,7 @@
 #include "DicomDirectory.h"
 #include "DicomMessages.h"
 #include "DicomVoxels.h"
+#include "FailureReason.h"
 #include "LocalDicomParser.h"
 #include "SharedMemory.h"
 #include "vtkAbstractArray.h"
@@ -11,7 +12,6 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <new>
 
 using nlohmann::json;
 
@@ -63,7 +63,7 @@ void SendDirectory(const DicomRequest& request)
   }
   catch (const std::exception& error)
   {
-    Send({ { DicomAnswer::Failure, error.what() } });
+    Send({ { DicomAnswer::Failure, FailureReason(error) } });
   }
 }
 
@@ -85,13 +85,9 @@ void SendVoxels(const DicomRequest& request)
     const DicomVoxels read = ReadDicomVoxels(request.files, request.plan, room, start);
     Send({ { DicomAnswer::ScalarType, read.scalarType }, { DicomAnswer::Filled, read.filled } });
   }
-  catch (const std::bad_alloc&)
-  {
-    Send({ { DicomAnswer::Failure, "there is not enough memory for it" } });
-  }
   catch (const std::exception& error)
   {
-    Send({ { DicomAnswer::Failure, error.what() } });
+    Send({ { DicomAnswer::Failure, FailureReason(error) } });
   }
 }
 

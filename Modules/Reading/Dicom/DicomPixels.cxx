@@ -3,13 +3,14 @@
 #include "DicomStream.h"
 #include "DicomTags.h"
 #include "VolumeReadingError.h"
-#include "vtkByteSwap.h"
 
 #include <gdcmByteValue.h>
 #include <gdcmImage.h>
 #include <gdcmImageReader.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 namespace penumbra
 {
@@ -59,17 +60,17 @@ bool IsCompressed(const gdcm::DataElement& element, const gdcm::TransferSyntax& 
   return element.GetSequenceOfFragments() || syntax.IsEncapsulated();
 }
 
-// In Explicit VR Big Endian; of 8 bits, pixels may be written as pairs (DICOM PS3.5, 8.1.1).
-void SwapBytes(std::vector<char>& bytes, int bitsAllocated, const gdcm::VR& type)
+// GDCM has turned the bytes of each 16 bits of Explicit VR Big Endian, which leaves 32 bits with
+// their halves exchanged.
+std::vector<char> ExchangeHalves(const char* bytes, std::size_t count)
 {
-  if (bitsAllocated == 32)
+  std::vector<char> exchanged(count);
+  for (std::size_t at = 0; at + 4 <= count; at += 4)
   {
-    vtkByteSwap::SwapVoidRange(bytes.data(), bytes.size() / 4, 4);
+    std::copy_n(bytes + at, 2, exchanged.data() + at + 2);
+    std::copy_n(bytes + at + 2, 2, exchanged.data() + at);
   }
-  else if (bitsAllocated == 16 || type == gdcm::VR::OW)
-  {
-    vtkByteSwap::SwapVoidRange(bytes.data(), bytes.size() / 2, 2);
-  }
+  return exchanged;
 }
 
 // GDCM changes uncompressed pixels of which not all bits are stored, and ends the process over
@@ -77,8 +78,6 @@ void SwapBytes(std::vector<char>& bytes, int bitsAllocated, const gdcm::VR& type
 DicomPixels TakeUncompressed(
   const gdcm::DataElement& element, const gdcm::TransferSyntax& syntax, const DicomImage& image)
 {
-  DicomPixels pixels;
-  pixels.format = image.pixel;
   const std::size_t expected = BytesOf(image, image.pixel);
   const gdcm::ByteValue* value = element.GetByteValue();
   const std::size_t found = value ? static_cast<std::size_t>(value->GetLength()) : 0;
@@ -87,13 +86,12 @@ DicomPixels TakeUncompressed(
     throw VolumeReadingError("its pixels have " + std::to_string(found) + " bytes; " +
       std::to_string(expected) + " are needed");
   }
-  const std::size_t even = expected + (found > expected ? expected % 2 : 0);
-  pixels.bytes.assign(value->GetPointer(), value->GetPointer() + even);
-  if (syntax.GetSwapCode() == gdcm::SwapCode::BigEndian)
+  const bool isBigEndian = syntax.GetSwapCode() == gdcm::SwapCode::BigEndian;
+  if (isBigEndian && image.pixel.bitsAllocated == 32)
   {
-    SwapBytes(pixels.bytes, image.pixel.bitsAllocated, element.GetVR());
+    return DicomPixels(image.pixel, ExchangeHalves(value->GetPointer(), expected));
   }
-  return pixels;
+  return DicomPixels(image.pixel, element);
 }
 
 DicomPixels Decompress(const std::filesystem::path& path, const DicomImage& image)
@@ -107,41 +105,61 @@ DicomPixels Decompress(const std::filesystem::path& path, const DicomImage& imag
   stream.ThrowIfCutShort();
   const gdcm::Image& decoded = reader.GetImage();
   CheckSize(decoded, image);
-  DicomPixels pixels;
-  pixels.format = FormatOf(decoded.GetPixelFormat());
-  const std::size_t expected = BytesOf(image, pixels.format);
-  if (pixels.format.bitsAllocated % 8 != 0 || decoded.GetBufferLength() != expected)
+  const DicomPixelFormat format = FormatOf(decoded.GetPixelFormat());
+  const std::size_t expected = BytesOf(image, format);
+  if (format.bitsAllocated % 8 != 0 || decoded.GetBufferLength() != expected)
   {
     throw VolumeReadingError("its decoded pixels have " +
       std::to_string(decoded.GetBufferLength()) + " bytes; " + std::to_string(expected) +
       " are needed");
   }
-  pixels.bytes.resize(expected);
-  if (!decoded.GetBuffer(pixels.bytes.data()))
+  std::vector<char> bytes(expected);
+  if (!decoded.GetBuffer(bytes.data()))
   {
     throw VolumeReadingError("its pixels cannot be decoded");
   }
-  return pixels;
+  return DicomPixels(format, std::move(bytes));
 }
 
+}
+
+DicomPixels::DicomPixels(const DicomPixelFormat& format, const gdcm::DataElement& element)
+  : Format(format)
+  , Stored(element)
+{
+}
+
+DicomPixels::DicomPixels(const DicomPixelFormat& format, std::vector<char> bytes)
+  : Format(format)
+  , Decoded(std::move(bytes))
+{
+}
+
+const char* DicomPixels::GetBytes() const
+{
+  return this->Decoded.empty() ? this->Stored.GetByteValue()->GetPointer() : this->Decoded.data();
 }
 
 DicomPixels ReadDicomPixels(const std::filesystem::path& path, const DicomImage& image)
 {
   gdcm::Reader reader;
   const DicomStream stream(path, reader);
-  if (!reader.Read())
+  if (!reader.ReadUpToTag(DicomTags::PixelData))
   {
     throw VolumeReadingError("it is damaged");
   }
-  stream.ThrowIfCutShort();
+  const gdcm::TransferSyntax& syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
+  // What inflates the file asks for more than it has.
+  if (syntax != gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian)
+  {
+    stream.ThrowIfCutShort();
+  }
   const gdcm::DataSet& data = reader.GetFile().GetDataSet();
   if (!data.FindDataElement(DicomTags::PixelData))
   {
     throw VolumeReadingError("it has no pixels");
   }
   const gdcm::DataElement& element = data.GetDataElement(DicomTags::PixelData);
-  const gdcm::TransferSyntax& syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
   return IsCompressed(element, syntax) ? Decompress(path, image)
                                        : TakeUncompressed(element, syntax, image);
 }

@@ -1,6 +1,6 @@
 /**
  * @class   DicomPixels
- * @brief   the decoded pixels of a DICOM file, as stored
+ * @brief   the pixels of a DICOM file, as stored
  */
 
 #ifndef DicomPixels_h
@@ -8,18 +8,35 @@
 
 #include "DicomImage.h"
 
+#include <gdcmDataElement.h>
+
 #include <filesystem>
 #include <vector>
 
 namespace penumbra
 {
 
-struct DicomPixels
+class DicomPixels
 {
-  /// Of the decoded pixels; a compressed file's may differ from what its header says.
-  DicomPixelFormat format;
+public:
+  DicomPixels() = default;
+
+  /// Pixels that are stored as they are; `element` is Pixel Data.
+  DicomPixels(const DicomPixelFormat& format, const gdcm::DataElement& element);
+
+  /// Pixels that were decoded.
+  DicomPixels(const DicomPixelFormat& format, std::vector<char> bytes);
+
+  /// Of the pixels themselves; a compressed file's may differ from what its header says.
+  const DicomPixelFormat& GetFormat() const { return this->Format; }
+
   /// All frames, in the byte order of this machine.
-  std::vector<char> bytes;
+  const char* GetBytes() const;
+
+private:
+  DicomPixelFormat Format;
+  gdcm::DataElement Stored;
+  std::vector<char> Decoded;
 };
 
 /**

@@ -84,29 +84,6 @@ Stored StoredAt(const char* bytes, std::size_t index)
   return value;
 }
 
-// The bits that are stored, as a number.
-class StoredBits
-{
-public:
-  explicit StoredBits(const DicomPixelFormat& pixel)
-    : Shift(pixel.highBit + 1 - pixel.bitsStored)
-    , Mask((std::uint64_t(1) << pixel.bitsStored) - 1)
-    , Sign(pixel.isSigned ? std::uint64_t(1) << (pixel.bitsStored - 1) : 0)
-  {
-  }
-
-  std::int64_t operator()(std::uint64_t bits) const
-  {
-    const std::uint64_t value = (bits >> this->Shift) & this->Mask;
-    return static_cast<std::int64_t>(value ^ this->Sign) - static_cast<std::int64_t>(this->Sign);
-  }
-
-private:
-  int Shift;
-  std::uint64_t Mask;
-  std::uint64_t Sign;
-};
-
 template <typename Scalar>
 struct Converted
 {
@@ -129,76 +106,158 @@ Converted<Scalar> ToScalar(double value)
   }
 }
 
-// What one stored value becomes.
-template <typename Scalar>
-class StoredToScalar
+// How the bits of a pixel become a modality value: those that are stored, as a number, turned over
+// or not, rescaled.
+class StoredToValue
 {
 public:
-  StoredToScalar(const DicomPixelFormat& pixel, const DicomImage& image,
-    const DicomRescale& rescale, const std::optional<Scalar>& marker)
-    : Bits(pixel)
-    , Rescale(rescale)
-    , Marker(marker)
-    , Padding(image.padding)
-    , Turned(image.isInverted && image.units.empty())
+  StoredToValue(const DicomPixelFormat& pixel, const DicomImage& image, const DicomRescale& rescale)
+    : Shift(pixel.highBit + 1 - pixel.bitsStored)
+    , Mask((std::uint64_t(1) << pixel.bitsStored) - 1)
+    , Sign(pixel.isSigned ? std::uint64_t(1) << (pixel.bitsStored - 1) : 0)
+    , IsTurned(image.isTurnedOver)
     , Sum(LowestStored(pixel) + HighestStored(pixel))
+    , Rescale(rescale)
+    , Padding(image.padding)
   {
   }
 
-  Converted<Scalar> operator()(std::uint64_t bits) const
+  std::int64_t ToStored(std::uint64_t bits) const
   {
-    const std::int64_t stored = this->Bits(bits);
-    if (this->Padding && stored >= (*this->Padding)[0] && stored <= (*this->Padding)[1])
-    {
-      return { *this->Marker, true };
-    }
-    const double shown = static_cast<double>(this->Turned ? this->Sum - stored : stored);
-    Converted<Scalar> converted =
-      ToScalar<Scalar>(this->Rescale.slope * shown + this->Rescale.intercept);
-    const bool isMarker = this->Marker && converted.value == *this->Marker;
-    converted.isHeld = converted.isHeld && !isMarker;
-    return converted;
+    const std::uint64_t value = (bits >> this->Shift) & this->Mask;
+    return static_cast<std::int64_t>(value ^ this->Sign) - static_cast<std::int64_t>(this->Sign);
+  }
+
+  bool IsPadding(std::int64_t stored) const
+  {
+    return this->Padding && stored >= (*this->Padding)[0] && stored <= (*this->Padding)[1];
+  }
+
+  double ToValue(std::int64_t stored) const
+  {
+    const auto shown = static_cast<double>(this->IsTurned ? this->Sum - stored : stored);
+    return this->Rescale.slope * shown + this->Rescale.intercept;
   }
 
 private:
-  StoredBits Bits;
-  DicomRescale Rescale;
-  std::optional<Scalar> Marker;
-  std::optional<std::array<std::int64_t, 2>> Padding;
-  bool Turned;
+  int Shift;
+  std::uint64_t Mask;
+  std::uint64_t Sign;
+  bool IsTurned;
   std::int64_t Sum;
+  DicomRescale Rescale;
+  std::optional<std::array<std::int64_t, 2>> Padding;
 };
 
-template <typename Stored, typename Scalar>
-bool ConvertAll(
-  const char* bytes, std::size_t count, const StoredToScalar<Scalar>& convert, Scalar* values)
+// Returns whether Scalar holds all values.
+template <typename Pixel, typename Scalar>
+bool ConvertAll(const char* bytes, std::size_t count, const StoredToValue& convert,
+  const std::optional<Scalar>& marker, Scalar* values)
 {
   bool isHeld = true;
-  const auto take = [values, &isHeld](std::size_t index, const Converted<Scalar>& converted)
-  {
-    values[index] = converted.value;
-    isHeld = isHeld && converted.isHeld;
-  };
-  const std::size_t possible = std::size_t(1) << std::min<std::size_t>(8 * sizeof(Stored), 16);
-  if (sizeof(Stored) > 2 || count < possible)
-  {
-    for (std::size_t index = 0; index < count; ++index)
-    {
-      take(index, convert(StoredAt<Stored>(bytes, index)));
-    }
-    return isHeld;
-  }
-  // Fewer values are possible than there are pixels: what each becomes is found once.
-  std::vector<Converted<Scalar>> table(possible);
-  for (std::size_t bits = 0; bits < possible; ++bits)
-  {
-    table[bits] = convert(bits);
-  }
   for (std::size_t index = 0; index < count; ++index)
   {
-    take(index, table[StoredAt<Stored>(bytes, index)]);
+    const std::int64_t stored = convert.ToStored(StoredAt<Pixel>(bytes, index));
+    if (convert.IsPadding(stored))
+    {
+      values[index] = *marker;
+      continue;
+    }
+    const Converted<Scalar> converted = ToScalar<Scalar>(convert.ToValue(stored));
+    values[index] = converted.value;
+    isHeld = isHeld && converted.isHeld && !(marker && converted.value == *marker);
   }
   return isHeld;
+}
+
+// A slope and an intercept of whole numbers, turned over or not, and the values that they lead to.
+struct WholeRescale
+{
+  std::int64_t slope;
+  std::int64_t intercept;
+
+  std::int64_t operator()(std::int64_t stored) const
+  {
+    return this->slope * stored + this->intercept;
+  }
+};
+
+// Nothing where slope or intercept are not whole, or so large that integers overflow.
+std::optional<WholeRescale> ToWhole(
+  const DicomPixelFormat& pixel, const DicomImage& image, const DicomRescale& rescale)
+{
+  if (!IsWhole(rescale.slope) || !IsWhole(rescale.intercept))
+  {
+    return std::nullopt;
+  }
+  WholeRescale whole{ static_cast<std::int64_t>(rescale.slope),
+    static_cast<std::int64_t>(rescale.intercept) };
+  if (image.isTurnedOver)
+  {
+    whole.intercept += whole.slope * (LowestStored(pixel) + HighestStored(pixel));
+    whole.slope = -whole.slope;
+  }
+  return whole;
+}
+
+// The common case: all bits are stored, slope and intercept are whole and no voxel is padding. The
+// loops are vector instructions. Returns nothing where it is another case, else whether Scalar
+// holds all values.
+template <typename Pixel, typename Scalar>
+std::optional<bool> ConvertWhole(const char* bytes, std::size_t count, const WholeRescale& rescale,
+  const DicomImage& image, Scalar* values)
+{
+  Pixel lowest = StoredAt<Pixel>(bytes, 0);
+  Pixel highest = lowest;
+  for (std::size_t index = 0; index < count; ++index)
+  {
+    const Pixel pixel = StoredAt<Pixel>(bytes, index);
+    lowest = std::min(lowest, pixel);
+    highest = std::max(highest, pixel);
+  }
+  if (image.padding && lowest <= (*image.padding)[1] && highest >= (*image.padding)[0])
+  {
+    return std::nullopt;
+  }
+  const auto [smallest, largest] = std::minmax(rescale(lowest), rescale(highest));
+  if (smallest < static_cast<std::int64_t>(std::numeric_limits<Scalar>::lowest()) ||
+    largest > static_cast<std::int64_t>(std::numeric_limits<Scalar>::max()))
+  {
+    return false;
+  }
+  // Modulo the size of Scalar, which holds the results, intermediate overflow cancels out.
+  using Unsigned = std::make_unsigned_t<Scalar>;
+  const auto slope = static_cast<Unsigned>(rescale.slope);
+  const auto intercept = static_cast<Unsigned>(rescale.intercept);
+  for (std::size_t index = 0; index < count; ++index)
+  {
+    const auto pixel = static_cast<Unsigned>(StoredAt<Pixel>(bytes, index));
+    values[index] = static_cast<Scalar>(static_cast<Unsigned>(slope * pixel + intercept));
+  }
+  return true;
+}
+
+template <typename Pixel, typename Scalar>
+bool ConvertPixels(const char* bytes, std::size_t count, const DicomPixelFormat& pixel,
+  const DicomImage& image, const DicomRescale& rescale, const std::optional<Scalar>& marker,
+  Scalar* values)
+{
+  if constexpr (std::is_integral_v<Scalar>)
+  {
+    const auto whole = ToWhole(pixel, image, rescale);
+    if (whole && pixel.bitsStored == pixel.bitsAllocated)
+    {
+      const auto isHeld = pixel.isSigned
+        ? ConvertWhole<std::make_signed_t<Pixel>>(bytes, count, *whole, image, values)
+        : ConvertWhole<Pixel>(bytes, count, *whole, image, values);
+      if (isHeld)
+      {
+        return *isHeld;
+      }
+    }
+  }
+  const StoredToValue convert(pixel, image, rescale);
+  return ConvertAll<Pixel>(bytes, count, convert, marker, values);
 }
 
 }
@@ -266,17 +325,18 @@ bool ConvertFrame(const DicomPixels& pixels, const DicomImage& image, std::size_
 {
   const std::size_t count =
     static_cast<std::size_t>(image.columns) * static_cast<std::size_t>(image.rows);
-  const std::size_t pixelBytes = static_cast<std::size_t>(pixels.format.bitsAllocated) / 8;
-  const char* bytes = pixels.bytes.data() + frame * count * pixelBytes;
-  const StoredToScalar<Scalar> convert(pixels.format, image, image.frames[frame].rescale, marker);
+  const std::size_t pixelBytes = static_cast<std::size_t>(pixels.GetFormat().bitsAllocated) / 8;
+  const char* bytes = pixels.GetBytes() + frame * count * pixelBytes;
+  const DicomRescale& rescale = image.frames[frame].rescale;
+  const DicomPixelFormat& format = pixels.GetFormat();
   switch (pixelBytes)
   {
     case 1:
-      return ConvertAll<std::uint8_t>(bytes, count, convert, values);
+      return ConvertPixels<std::uint8_t>(bytes, count, format, image, rescale, marker, values);
     case 2:
-      return ConvertAll<std::uint16_t>(bytes, count, convert, values);
+      return ConvertPixels<std::uint16_t>(bytes, count, format, image, rescale, marker, values);
     default:
-      return ConvertAll<std::uint32_t>(bytes, count, convert, values);
+      return ConvertPixels<std::uint32_t>(bytes, count, format, image, rescale, marker, values);
   }
 }
 

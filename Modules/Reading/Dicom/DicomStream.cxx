@@ -5,40 +5,127 @@
 
 #include <gdcmTrace.h>
 
+#include <algorithm>
+
 namespace penumbra
 {
 
 namespace
 {
 
+constexpr std::size_t WindowSize = 65536;
+
 // At its end, a whole file is asked for one more tag and gives nothing.
 constexpr std::streamsize LargestTagRead = 4;
 
 }
 
+DicomStream::Buffer::Buffer()
+  : Window(WindowSize)
+{
+}
+
+bool DicomStream::Buffer::Open(const std::filesystem::path& path)
+{
+  if (!this->File.open(path, std::ios::in | std::ios::binary))
+  {
+    return false;
+  }
+  this->FileSize = this->File.pubseekoff(0, std::ios::end, std::ios::in);
+  return this->FileSize >= 0;
+}
+
+DicomStream::Buffer::int_type DicomStream::Buffer::underflow()
+{
+  this->WindowStart = this->Position();
+  this->File.pubseekpos(this->WindowStart, std::ios::in);
+  const std::streamsize count =
+    this->File.sgetn(this->Window.data(), static_cast<std::streamsize>(this->Window.size()));
+  this->setg(this->Window.data(), this->Window.data(), this->Window.data() + count);
+  return count > 0 ? traits_type::to_int_type(*this->gptr()) : traits_type::eof();
+}
+
+std::streamsize DicomStream::Buffer::TakeFromWindow(char* bytes, std::streamsize count)
+{
+  const std::streamsize taken = std::min<std::streamsize>(count, this->egptr() - this->gptr());
+  std::copy_n(this->gptr(), taken, bytes);
+  this->setg(this->eback(), this->gptr() + taken, this->egptr());
+  return taken;
+}
+
 std::streamsize DicomStream::Buffer::xsgetn(char* bytes, std::streamsize count)
 {
-  const std::streamsize got = std::filebuf::xsgetn(bytes, count);
-  this->IsCutShort = this->IsCutShort || (got < count && (got > 0 || count > LargestTagRead));
+  std::streamsize got = this->TakeFromWindow(bytes, count);
+  if (count - got >= static_cast<std::streamsize>(this->Window.size()))
+  {
+    this->File.pubseekpos(this->Position(), std::ios::in);
+    got += this->File.sgetn(bytes + got, count - got);
+    this->seekoff(
+      this->File.pubseekoff(0, std::ios::cur, std::ios::in), std::ios::beg, std::ios::in);
+  }
+  while (got < count && !traits_type::eq_int_type(this->underflow(), traits_type::eof()))
+  {
+    got += this->TakeFromWindow(bytes + got, count - got);
+  }
+  this->CutShort = this->CutShort || (got < count && (got > 0 || count > LargestTagRead));
   return got;
 }
 
-DicomStream::DicomStream(const std::filesystem::path& path, gdcm::Reader& reader)
-  : Stream(&this->File)
+DicomStream::Buffer::pos_type DicomStream::Buffer::seekoff(
+  off_type offset, std::ios::seekdir from, std::ios::openmode)
 {
+  const off_type start = from == std::ios::beg ? 0
+    : from == std::ios::cur                    ? this->Position()
+                                               : this->FileSize;
+  const off_type target = start + offset;
+  if (target < 0 || target > this->FileSize)
+  {
+    this->CutShort = true;
+    return pos_type(off_type(-1));
+  }
+  const off_type within = target - this->WindowStart;
+  if (within >= 0 && within <= this->egptr() - this->eback())
+  {
+    this->setg(this->eback(), this->eback() + within, this->egptr());
+  }
+  else
+  {
+    this->WindowStart = target;
+    this->setg(this->Window.data(), this->Window.data(), this->Window.data());
+  }
+  return target;
+}
+
+DicomStream::Buffer::pos_type DicomStream::Buffer::seekpos(
+  pos_type position, std::ios::openmode which)
+{
+  return this->seekoff(position, std::ios::beg, which);
+}
+
+DicomStream::DicomStream(const std::filesystem::path& path, gdcm::Reader& reader)
+  : Stream(&this->Bytes)
+{
+  if (!this->Bytes.Open(path))
+  {
+    throw VolumeReadingError("it cannot be opened");
+  }
   if (!MayBeDicom(path))
   {
     throw VolumeReadingError("it does not start as DICOM files do");
   }
-  this->File.open(path, std::ios::in | std::ios::binary);
   gdcm::Trace::WarningOff();
   gdcm::Trace::ErrorOff();
   reader.SetStream(this->Stream);
 }
 
+std::uint64_t DicomStream::GetSize() const
+{
+  return static_cast<std::uint64_t>(this->Bytes.GetSize());
+}
+
 void DicomStream::ThrowIfCutShort() const
 {
-  if (this->File.IsCutShort)
+  if (this->Bytes.IsCutShort())
   {
     throw VolumeReadingError("it is cut short");
   }

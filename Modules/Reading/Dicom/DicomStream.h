@@ -2,7 +2,8 @@
  * @class   DicomStream
  * @brief   a DICOM file as GDCM is to read it
  *
- * GDCM fills up what a file lacks at its end without a word; here it shows.
+ * GDCM jumps to and fro in files of some writers by single bytes, and fills up what a file lacks at
+ * its end without a word. Here jumps are cheap and the lack shows.
  */
 
 #ifndef DicomStream_h
@@ -10,9 +11,11 @@
 
 #include <gdcmReader.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <istream>
+#include <vector>
 
 namespace penumbra
 {
@@ -26,22 +29,42 @@ public:
    */
   DicomStream(const std::filesystem::path& path, gdcm::Reader& reader);
 
+  /// Of the file, in bytes.
+  std::uint64_t GetSize() const;
+
   /**
    * Throws VolumeReadingError where more was asked for than the file has.
    */
   void ThrowIfCutShort() const;
 
 private:
-  class Buffer : public std::filebuf
+  // Holds a part of the file, within which seeking moves nothing.
+  class Buffer : public std::streambuf
   {
   public:
-    bool IsCutShort = false;
+    Buffer();
+    bool Open(const std::filesystem::path& path);
+    off_type GetSize() const { return this->FileSize; }
+    bool IsCutShort() const { return this->CutShort; }
 
   protected:
+    int_type underflow() override;
     std::streamsize xsgetn(char* bytes, std::streamsize count) override;
+    pos_type seekoff(off_type offset, std::ios::seekdir from, std::ios::openmode which) override;
+    pos_type seekpos(pos_type position, std::ios::openmode which) override;
+
+  private:
+    off_type Position() const { return this->WindowStart + (this->gptr() - this->eback()); }
+    std::streamsize TakeFromWindow(char* bytes, std::streamsize count);
+
+    std::filebuf File;
+    std::vector<char> Window;
+    off_type WindowStart = 0;
+    off_type FileSize = 0;
+    bool CutShort = false;
   };
 
-  Buffer File;
+  Buffer Bytes;
   std::istream Stream;
 };
 

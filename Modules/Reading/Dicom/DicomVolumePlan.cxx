@@ -7,7 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <iterator>
+#include <utility>
 
 namespace penumbra
 {
@@ -20,8 +21,7 @@ constexpr double DirectionTolerance = 1e-3;
 
 constexpr double SpacingTolerance = 1e-3;
 
-// In mm. No scanner is as large, and no detector as fine or as coarse.
-constexpr double FarthestPosition = 1e6;
+// In mm. No detector is as fine or as coarse.
 constexpr double SmallestSpacing = 1e-6;
 constexpr double LargestSpacing = 1e4;
 
@@ -40,7 +40,7 @@ std::vector<Slice> SlicesOf(const DicomSeries& series)
     const DicomFile& of = series.files[file];
     for (std::size_t frame = 0; frame < of.image.frames.size(); ++frame)
     {
-      slices.push_back({ { file, frame }, &of, &of.image.frames[frame] });
+      slices.push_back({ { file, frame, 0.0 }, &of, &of.image.frames[frame] });
     }
   }
   return slices;
@@ -65,6 +65,7 @@ bool AreAlike(const Slice& left, const Slice& right)
   const DicomImage& a = left.file->image;
   const DicomImage& b = right.file->image;
   return a.columns == b.columns && a.rows == b.rows && a.isInverted == b.isInverted &&
+    a.frameOfReferenceUID == b.frameOfReferenceUID &&
     left.frame->position.has_value() == right.frame->position.has_value() &&
     AreNear(left.frame->orientation, right.frame->orientation, DirectionTolerance) &&
     AreNear(left.frame->pixelSpacing, right.frame->pixelSpacing, SpacingTolerance);
@@ -99,10 +100,11 @@ std::vector<Slice> TakeMostAlike(const std::vector<Slice>& all, std::vector<std:
     if (largest->size() == 1)
     {
       throw VolumeReadingError("no two of its " + CountText(all.size(), "image") +
-        " agree in size, orientation and pixel spacing");
+        " agree in size, orientation, pixel spacing and kind");
     }
     warnings.push_back(CountText(all.size() - largest->size(), "image") +
-      " left out, of another size, orientation, pixel spacing or kind than the " +
+      " left out, of another size, orientation, pixel spacing, frame of reference or "
+      "kind than the " +
       CountText(largest->size(), "image") + " of " + SizeText(largest->front()) + " taken");
   }
   return *largest;
@@ -198,15 +200,7 @@ std::vector<PlacedSlice> PlaceByPosition(const std::vector<Slice>& slices)
   std::vector<PlacedSlice> placed;
   for (const Slice& slice : slices)
   {
-    const Vector3& position = *slice.frame->position;
-    const double farthest =
-      std::max({ std::abs(position[0]), std::abs(position[1]), std::abs(position[2]) });
-    if (farthest > FarthestPosition)
-    {
-      throw VolumeReadingError(
-        "its Image Position (Patient) is " + NumberText(farthest) + " mm away");
-    }
-    placed.push_back({ slice.source, position, slice.frame->order, 0.0 });
+    placed.push_back({ slice.source, *slice.frame->position, slice.frame->order, 0.0 });
   }
   return placed;
 }
@@ -257,11 +251,34 @@ void TellInversion(const DicomImage& image, std::vector<std::string>& warnings)
 {
   if (image.isInverted)
   {
-    warnings.push_back(image.units.empty()
-        ? "MONOCHROME1: small values are shown bright; the values are turned over"
-        : "MONOCHROME1: small values are shown bright; the values are kept, for they are in " +
-          image.units);
+    warnings.push_back(std::string("MONOCHROME1: small values are shown bright; the values are ") +
+      (image.isTurnedOver ? "turned over" : "kept, for they have a unit"));
   }
+}
+
+// Each slice of the volume from the one or two sources, in order of their places, that enclose it.
+std::vector<DicomVolumeSlice> SlicesThrough(
+  const std::vector<DicomSource>& sources, std::size_t count)
+{
+  std::vector<DicomVolumeSlice> slices;
+  std::size_t below = 0;
+  for (std::size_t slice = 0; slice < count; ++slice)
+  {
+    const auto place = static_cast<double>(slice);
+    while (below + 1 < sources.size() && sources[below + 1].place <= place)
+    {
+      ++below;
+    }
+    const double start = sources[below].place;
+    if (place <= start || below + 1 == sources.size())
+    {
+      slices.push_back({ below, below, 0.0 });
+      continue;
+    }
+    const double weight = (place - start) / (sources[below + 1].place - start);
+    slices.push_back({ below, below + 1, weight });
+  }
+  return slices;
 }
 
 void SetGeometry(DicomVolumePlan& plan, const DicomImage& image,
@@ -293,28 +310,39 @@ DicomVolumePlan PlanVolume(const DicomSeries& series, std::vector<std::string>& 
     first.frame->position ? PlaceByPosition(alike) : PlaceByNumber(alike, orientation, warnings);
   SortSlices(placed, orientation, warnings);
 
-  DicomVolumePlan plan;
-  for (const PlacedSlice& slice : placed)
-  {
-    plan.sources.push_back(slice.source);
-  }
-  double spacing = DistanceOf(first, orientation).millimetres;
+  EvenSlices even{ DistanceOf(first, orientation).millimetres, 1, { 0.0 } };
   Vector3 stacking = orientation.normal;
   if (placed.size() > 1)
   {
     stacking = FindStackingDirection(placed, orientation, warnings);
-    EvenSlices even = SpaceEvenly(placed, warnings);
-    spacing = even.spacing;
-    plan.slices = std::move(even.slices);
+    even = SpaceEvenly(placed, warnings);
   }
-  else
+  DicomVolumePlan plan;
+  for (std::size_t index = 0; index < placed.size(); ++index)
   {
-    plan.slices.push_back({ 0, 0, 0.0 });
+    plan.sources.push_back(placed[index].source);
+    plan.sources.back().place = even.places[index];
   }
-  SetGeometry(plan, first.file->image, orientation, placed.front().position, stacking, spacing);
+  plan.slices = SlicesThrough(plan.sources, even.count);
+  SetGeometry(
+    plan, first.file->image, orientation, placed.front().position, stacking, even.spacing);
   TellMixedRescale(series, placed, warnings);
   TellInversion(first.file->image, warnings);
   return plan;
+}
+
+bool LeaveOutFile(DicomVolumePlan& plan, std::size_t file)
+{
+  std::vector<DicomSource> remaining;
+  std::copy_if(plan.sources.begin(), plan.sources.end(), std::back_inserter(remaining),
+    [file](const DicomSource& source) { return source.file != file; });
+  if (2 * remaining.size() < plan.slices.size())
+  {
+    return false;
+  }
+  plan.sources = std::move(remaining);
+  plan.slices = SlicesThrough(plan.sources, plan.slices.size());
+  return true;
 }
 
 }

@@ -23,11 +23,8 @@ struct DicomSource
 {
   std::size_t file = 0;
   std::size_t frame = 0;
-
-  bool operator==(const DicomSource& other) const
-  {
-    return this->file == other.file && this->frame == other.frame;
-  }
+  /// Which slice of the volume it is; between two where it is not whole.
+  double place = 0.0;
 };
 
 /**
@@ -53,6 +50,13 @@ struct DicomVolumePlan
  * told in `warnings`. Throws VolumeReadingError where no volume with right geometry can be made.
  */
 DicomVolumePlan PlanVolume(const DicomSeries& series, std::vector<std::string>& warnings);
+
+/**
+ * Leaves out the slices of one file, in whose place others are interpolated, or at an end the next
+ * one repeated. Returns false, and changes nothing, where less than half of the slices would
+ * remain.
+ */
+bool LeaveOutFile(DicomVolumePlan& plan, std::size_t file);
 
 }
 

@@ -2,6 +2,7 @@
 
 #include "DicomFiles.h"
 #include "NumberText.h"
+#include "OneLine.h"
 #include "vtkDataArray.h"
 
 #include <algorithm>
@@ -203,9 +204,19 @@ void DicomVolumeReading::PlanSelected()
   this->Plan = PlanVolume(this->Selected, this->PlanWarnings);
 }
 
-void DicomVolumeReading::LeaveOut(const fs::path& path, const std::string& reason)
+void DicomVolumeReading::LeaveOut(const DicomFileError& error)
 {
-  this->ReadingWarnings.push_back(NameOf(path) + " is left out: " + reason);
+  const std::string name = NameOf(this->Selected.files[error.File].path);
+  if (this->Selected.files.size() == 1)
+  {
+    throw VolumeReadingError(error.what());
+  }
+  if (++this->UnreadableFiles > MostUnreadableFiles || !LeaveOutFile(this->Plan, error.File))
+  {
+    throw VolumeReadingError("too many of its files cannot be read; " + name + ": " + error.what());
+  }
+  this->ReadingWarnings.push_back(
+    name + " is left out and its slices filled from those beside them: " + error.what());
 }
 
 void DicomVolumeReading::TellFilled(const DicomVoxelArray& voxels)
@@ -230,16 +241,7 @@ vtkSmartPointer<vtkDataArray> DicomVolumeReading::ReadVoxels(
     }
     catch (const DicomFileError& error)
     {
-      std::vector<DicomFile>& files = this->Selected.files;
-      if (files.size() == 1 || this->ReadingWarnings.size() >= MostUnreadableFiles)
-      {
-        throw VolumeReadingError(files.size() == 1
-            ? error.what()
-            : "too many of its files cannot be read; " + this->ReadingWarnings.front());
-      }
-      this->LeaveOut(files[error.File].path, error.what());
-      files.erase(files.begin() + static_cast<std::ptrdiff_t>(error.File));
-      this->PlanSelected();
+      this->LeaveOut(error);
     }
   }
 }
@@ -250,7 +252,7 @@ std::vector<std::string> DicomVolumeReading::GetWarnings() const
   for (const auto* warnings : { &this->FindingWarnings, &this->SelectionWarnings,
          &this->ReadingWarnings, &this->PlanWarnings })
   {
-    all.insert(all.end(), warnings->begin(), warnings->end());
+    std::transform(warnings->begin(), warnings->end(), std::back_inserter(all), OneLine);
   }
   return all;
 }

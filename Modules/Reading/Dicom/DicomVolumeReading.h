@@ -36,8 +36,9 @@ public:
   void SelectSeries(const std::string& name);
 
   /**
-   * The voxels of the selected series. Files that turn out to be unreadable are left out, which can
-   * change the plan. Throws VolumeReadingError, ReadingCancelled, std::bad_alloc.
+   * The voxels of the selected series. Files that turn out to be unreadable are left out, their
+   * slices filled from those beside them; the geometry stays. Throws VolumeReadingError,
+   * ReadingCancelled, std::bad_alloc.
    */
   vtkSmartPointer<vtkDataArray> ReadVoxels(DicomParser& parser, const ReadingProgress& progress);
 
@@ -48,7 +49,7 @@ public:
 
 private:
   void TellFilled(const DicomVoxelArray& voxels);
-  void LeaveOut(const std::filesystem::path& path, const std::string& reason);
+  void LeaveOut(const DicomFileError& error);
   void PlanSelected();
   void SelectLargest();
   void TellOtherSeries();
@@ -56,6 +57,7 @@ private:
   std::vector<DicomSeries> Series;
   DicomSeries Selected;
   DicomVolumePlan Plan;
+  std::size_t UnreadableFiles = 0;
   std::vector<std::string> FindingWarnings;
   std::vector<std::string> SelectionWarnings;
   std::vector<std::string> PlanWarnings;

@@ -2,13 +2,15 @@
 
 #include "DicomPixels.h"
 #include "DicomScalars.h"
+#include "FailureReason.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <map>
-#include <new>
 #include <optional>
 
 namespace penumbra
@@ -49,13 +51,9 @@ private:
     {
       return ReadDicomPixels(this->Files[file].path, this->Files[file].image);
     }
-    catch (const std::bad_alloc&)
-    {
-      throw DicomFileError(file, "there is not enough memory for it");
-    }
     catch (const std::exception& error)
     {
-      throw DicomFileError(file, error.what());
+      throw DicomFileError(file, FailureReason(error));
     }
   }
 
@@ -104,9 +102,14 @@ public:
       {
         return std::nullopt;
       }
+      Scalar* const result = this->Voxels + slice * this->SliceSize;
       if (of.weight != 0.0)
       {
-        this->Blend(below, above, of.weight, this->Voxels + slice * this->SliceSize);
+        this->Blend(below, above, of.weight, result);
+      }
+      else if (below != result)
+      {
+        std::copy_n(below, this->SliceSize, result);
       }
       this->Aside.erase(this->Aside.begin(), this->Aside.lower_bound(of.below));
     }

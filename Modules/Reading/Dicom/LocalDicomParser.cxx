@@ -3,10 +3,10 @@
 #include "DicomDirectory.h"
 #include "DicomHeader.h"
 #include "DicomVoxels.h"
+#include "FailureReason.h"
 #include "vtkDataArray.h"
 
 #include <exception>
-#include <new>
 
 namespace penumbra
 {
@@ -17,13 +17,9 @@ DicomHeaderResult TryReadDicomHeader(const std::filesystem::path& path)
   {
     return ReadDicomHeader(path);
   }
-  catch (const std::bad_alloc&)
-  {
-    return "there is not enough memory for it";
-  }
   catch (const std::exception& error)
   {
-    return error.what();
+    return FailureReason(error);
   }
 }
 

@@ -132,38 +132,22 @@ double RangeOf(const std::vector<PlacedSlice>& slices)
   return slices.back().location - slices.front().location;
 }
 
-EvenSlices TakeAsTheyAre(const std::vector<PlacedSlice>& slices, double spacing)
+// Places of the slices in even ones, the first of which is the first slice and the last the last.
+EvenSlices MakeEven(const std::vector<PlacedSlice>& slices, std::size_t count)
 {
   EvenSlices even;
-  even.spacing = spacing;
-  for (std::size_t index = 0; index < slices.size(); ++index)
+  even.count = count;
+  even.spacing = RangeOf(slices) / static_cast<double>(count - 1);
+  for (const PlacedSlice& slice : slices)
   {
-    even.slices.push_back({ index, index, 0.0 });
+    const double place = (slice.location - slices.front().location) / even.spacing;
+    const bool isNear = std::abs(place - std::round(place)) <= LocationTolerance;
+    even.places.push_back(isNear ? std::round(place) : place);
   }
   return even;
 }
 
-DicomVolumeSlice Between(
-  const std::vector<PlacedSlice>& slices, std::size_t& below, double location, double tolerance)
-{
-  while (below + 2 < slices.size() && slices[below + 1].location <= location + tolerance)
-  {
-    ++below;
-  }
-  const double start = slices[below].location;
-  const double end = slices[below + 1].location;
-  if (std::abs(location - start) <= tolerance)
-  {
-    return { below, below, 0.0 };
-  }
-  if (std::abs(location - end) <= tolerance)
-  {
-    return { below + 1, below + 1, 0.0 };
-  }
-  return { below, below + 1, (location - start) / (end - start) };
-}
-
-EvenSlices Interpolate(const std::vector<PlacedSlice>& slices, std::size_t count)
+void RefuseTooUneven(const std::vector<PlacedSlice>& slices, std::size_t count)
 {
   if (count > MostSlicesPerScanned * slices.size())
   {
@@ -172,15 +156,6 @@ EvenSlices Interpolate(const std::vector<PlacedSlice>& slices, std::size_t count
       NumberText(*std::min_element(gaps.begin(), gaps.end())) + " to " +
       NumberText(LargestOf(gaps)) + " mm, too uneven for one volume");
   }
-  EvenSlices even;
-  even.spacing = RangeOf(slices) / static_cast<double>(count - 1);
-  std::size_t below = 0;
-  for (std::size_t index = 0; index < count; ++index)
-  {
-    const double location = slices.front().location + even.spacing * static_cast<double>(index);
-    even.slices.push_back(Between(slices, below, location, LocationTolerance * even.spacing));
-  }
-  return even;
 }
 
 std::string MissingText(const std::vector<PlacedSlice>& slices, double spacing, std::size_t missing)
@@ -291,26 +266,29 @@ EvenSlices SpaceEvenly(const std::vector<PlacedSlice>& slices, std::vector<std::
   const double mean = range / static_cast<double>(gaps.size());
   if (AreMultiples(slices, mean) && LargestOf(gaps) < 1.5 * mean)
   {
-    return TakeAsTheyAre(slices, mean);
+    return MakeEven(slices, slices.size());
   }
   const double smallest = *std::min_element(gaps.begin(), gaps.end());
   for (const double gap : { MedianOf(gaps), smallest })
   {
-    const double count = std::round(range / gap);
-    const double spacing = range / count;
-    if (AreMultiples(slices, spacing))
+    const double steps = std::round(range / gap);
+    if (AreMultiples(slices, range / steps))
     {
-      EvenSlices even = Interpolate(slices, static_cast<std::size_t>(count) + 1);
-      warnings.push_back(MissingText(slices, spacing, even.slices.size() - slices.size()));
+      const auto count = static_cast<std::size_t>(steps) + 1;
+      RefuseTooUneven(slices, count);
+      const EvenSlices even = MakeEven(slices, count);
+      warnings.push_back(MissingText(slices, even.spacing, count - slices.size()));
       return even;
     }
   }
   const double finest = std::max(smallest, MedianOf(gaps) / MostSlicesPerScanned);
-  EvenSlices even = Interpolate(slices, static_cast<std::size_t>(std::ceil(range / finest)) + 1);
+  const auto count = static_cast<std::size_t>(std::ceil(range / finest)) + 1;
+  RefuseTooUneven(slices, count);
+  const EvenSlices even = MakeEven(slices, count);
   warnings.push_back("uneven gaps of " + NumberText(smallest) + " to " +
     NumberText(LargestOf(gaps)) + " mm between " + CountText(slices.size(), "slice") +
-    "; interpolated to " + std::to_string(even.slices.size()) + " slices " +
-    NumberText(even.spacing) + " mm apart");
+    "; interpolated to " + std::to_string(count) + " slices " + NumberText(even.spacing) +
+    " mm apart");
   return even;
 }
 

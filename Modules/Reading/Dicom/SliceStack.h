@@ -58,12 +58,14 @@ Vector3 FindStackingDirection(const std::vector<PlacedSlice>& slices,
   const SliceOrientation& orientation, std::vector<std::string>& warnings);
 
 /**
- * Even slices through sorted ones, of which there are two or more.
+ * Even slices, and where sorted ones, of which there are two or more, lie among them.
  */
 struct EvenSlices
 {
   double spacing = 1.0;
-  std::vector<DicomVolumeSlice> slices;
+  std::size_t count = 0;
+  /// Of each slice, in even ones from the first; whole where it is an even one.
+  std::vector<double> places;
 };
 EvenSlices SpaceEvenly(const std::vector<PlacedSlice>& slices, std::vector<std::string>& warnings);
 

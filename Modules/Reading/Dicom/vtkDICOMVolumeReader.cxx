@@ -2,6 +2,7 @@
 
 #include "DicomParserProcess.h"
 #include "DicomVolumeReading.h"
+#include "FailureReason.h"
 #include "LocalDicomParser.h"
 #include "OneLine.h"
 #include "VolumeReadingError.h"
@@ -18,8 +19,8 @@
 #include "vtkStringArray.h"
 #include "vtksys/SystemInformation.hxx"
 
+#include <algorithm>
 #include <exception>
-#include <new>
 #include <optional>
 
 using namespace penumbra;
@@ -84,15 +85,10 @@ public:
       this->ErrorMessage = cancelled.what();
       return false;
     }
-    catch (const std::bad_alloc&)
-    {
-      self->SetErrorCode(vtkErrorCode::UserError);
-      this->ErrorMessage = "there is not enough memory for it";
-    }
     catch (const std::exception& error)
     {
       self->SetErrorCode(vtkErrorCode::FileFormatError);
-      this->ErrorMessage = error.what();
+      this->ErrorMessage = FailureReason(error);
     }
     this->ErrorMessage = OneLine(this->ErrorMessage);
     vtkErrorWithObjectMacro(
@@ -264,6 +260,13 @@ void vtkDICOMVolumeReader::TakeWarnings()
   {
     this->State->Warnings->InsertNextValue(warning);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkDICOMVolumeReader::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->FileNames ? std::max(time, this->FileNames->GetMTime()) : time;
 }
 
 //------------------------------------------------------------------------------

@@ -139,6 +139,11 @@ public:
    */
   const char* GetErrorMessage();
 
+  /**
+   * With that of FileNames.
+   */
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkDICOMVolumeReader();
   ~vtkDICOMVolumeReader() override;
