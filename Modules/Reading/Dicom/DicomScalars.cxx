@@ -219,7 +219,7 @@ std::optional<bool> ConvertWhole(const char* bytes, std::size_t count, const Who
   {
     return std::nullopt;
   }
-  const auto [smallest, largest] = std::minmax(rescale(lowest), rescale(highest));
+  const auto [smallest, largest] = std::minmax({ rescale(lowest), rescale(highest) });
   if (smallest < static_cast<std::int64_t>(std::numeric_limits<Scalar>::lowest()) ||
     largest > static_cast<std::int64_t>(std::numeric_limits<Scalar>::max()))
   {
