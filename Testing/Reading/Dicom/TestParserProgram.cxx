@@ -1,0 +1,92 @@
+#include "Catch.h"
+#include "ReadDicom.h"
+
+#include "vtkNew.h"
+
+#include <chrono>
+#include <filesystem>
+
+namespace
+{
+
+// A program in place of the parser, as a shell script.
+std::string Script(const TemporaryFolder& folder, const std::string& commands)
+{
+  const auto path = folder.Write("scripts/parser", "#!/bin/sh\n" + commands + "\n");
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  return path;
+}
+
+std::string ErrorOf(const std::string& path, const std::string& program)
+{
+  vtkNew<vtkDICOMVolumeReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->SetParserProgram(program.c_str());
+  reader->SetTimeLimit(0.5);
+  const auto start = std::chrono::steady_clock::now();
+  const auto error = Update(reader).error;
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+  return error;
+}
+
+}
+
+TEST_CASE("Whatever becomes of the parser program, the file is refused")
+{
+  const std::string commands = GENERATE("kill -ABRT $$", "kill -SEGV $$", "exec sleep 60", "exit 3",
+    "exit 0", "echo nonsense", "exec yes", "cat >/dev/null; exit 0", "head -c 1000000 /dev/urandom",
+    "head -c 100000 /dev/zero; exec sleep 60");
+  INFO(commands);
+  const TemporaryFolder folder;
+  const auto file = folder.Write("slice.dcm", Slice(0).File());
+  CHECK(Mentions(ErrorOf(file, Script(folder, commands)), "slice\\.dcm"));
+}
+
+TEST_CASE("A parser program that is missing or cannot be run is named")
+{
+  const TemporaryFolder folder;
+  const auto file = folder.Write("slice.dcm", Slice(0).File());
+  CHECK(Mentions(ErrorOf(file, folder.PathOf("no parser")), "no parser"));
+  CHECK(Mentions(ErrorOf(file, folder.Write("no program", "x")), "no program"));
+}
+
+TEST_CASE("A file whose compressed pixels are damaged is left out, interpolated and told")
+{
+  auto slices = Slices(5);
+  for (auto& slice : slices)
+  {
+    slice.columns = slice.rows = 16;
+  }
+  slices[2].transferSyntax = GENERATE(gdcm::TransferSyntax::JPEG2000Lossless,
+    gdcm::TransferSyntax::JPEGLSLossless, gdcm::TransferSyntax::JPEGLosslessProcess14_1);
+  const TemporaryFolder folder;
+  WriteSlices(folder, slices, "slices/");
+  auto file = slices[2].File();
+  // The stream begins with a marker, after the empty offset table and its own item's header.
+  const std::string emptyTable("\xfe\xff\x00\xe0\0\0\0\0", 8);
+  const auto start = file.find('\xff', file.find(emptyTable) + 2 * emptyTable.size());
+  file.replace(start, 30, std::string(30, '\x5a'));
+  folder.Write("slices/2.dcm", file);
+  const auto reading = ReadDicom(folder.PathOf("slices"), PENUMBRA_DICOM_PARSER);
+  CHECK(reading.error == "");
+  // Of 100 and 900.
+  slices[2].stored = [](int i, int j, int) { return i + 10 * j + 500; };
+  CHECK(Difference(reading.volume, slices) == "");
+  CHECK(Mentions(reading.Warnings(), "2\\.dcm"));
+}
+
+TEST_CASE("A file that ends the parser program is left out and told")
+{
+  const TemporaryFolder folder;
+  const auto slices = Slices(3);
+  WriteSlices(folder, slices, "slices/");
+  auto broken = Slice(7).File();
+  const std::string uid = "1.2.3.4.99";
+  // A length far beyond the file's end.
+  broken.replace(broken.find(uid) - 2, 2, "\xfe\xff");
+  folder.Write("slices/broken.dcm", broken);
+  const auto reading = ReadDicom(folder.PathOf("slices"), PENUMBRA_DICOM_PARSER);
+  CHECK(reading.error == "");
+  CHECK(Difference(reading.volume, slices) == "");
+  CHECK(Mentions(reading.Warnings(), "broken\\.dcm"));
+}
