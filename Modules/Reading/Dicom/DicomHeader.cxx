@@ -206,7 +206,7 @@ DicomImage ReadImage(const DicomDataSet& data, std::uint64_t fileSize)
 DicomImage ReadDicomHeader(const std::filesystem::path& path)
 {
   gdcm::Reader reader;
-  const DicomStream stream(path, reader);
+  DicomStream stream(path, reader);
   const bool isRead = reader.ReadUpToTag(DicomTags::PixelData, { DicomTags::PixelData });
   const gdcm::TransferSyntax& syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
   if (syntax != gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian)
@@ -217,7 +217,12 @@ DicomImage ReadDicomHeader(const std::filesystem::path& path)
   {
     throw VolumeReadingError("it is no DICOM file or is damaged");
   }
-  return ReadImage(DicomDataSet(reader.GetFile().GetDataSet()), stream.GetSize());
+  const DicomImage image = ReadImage(DicomDataSet(reader.GetFile().GetDataSet()), stream.GetSize());
+  if (!syntax.IsEncapsulated() && syntax != gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian)
+  {
+    stream.ReadPixelElement(syntax);
+  }
+  return image;
 }
 
 }

@@ -3,6 +3,7 @@
 #include "DicomStream.h"
 #include "DicomTags.h"
 #include "VolumeReadingError.h"
+#include "vtkByteSwap.h"
 
 #include <gdcmByteValue.h>
 #include <gdcmImage.h>
@@ -55,43 +56,61 @@ DicomPixelFormat FormatOf(const gdcm::PixelFormat& decoded)
   return format;
 }
 
-bool IsCompressed(const gdcm::DataElement& element, const gdcm::TransferSyntax& syntax)
+// What is stored with the most significant byte first. 8 bits may be written as words of two pixels
+// (DICOM PS3.5, 8.1.1).
+void TurnBytes(std::vector<char>& bytes, int bitsAllocated, bool isWords)
 {
-  return element.GetSequenceOfFragments() || syntax.IsEncapsulated();
-}
-
-// GDCM has turned the bytes of each 16 bits of Explicit VR Big Endian, which leaves 32 bits with
-// their halves exchanged.
-std::vector<char> ExchangeHalves(const char* bytes, std::size_t count)
-{
-  std::vector<char> exchanged(count);
-  for (std::size_t at = 0; at + 4 <= count; at += 4)
+  const std::size_t size = bitsAllocated == 32 ? 4 : bitsAllocated == 16 || isWords ? 2 : 1;
+  switch (size)
   {
-    std::copy_n(bytes + at, 2, exchanged.data() + at + 2);
-    std::copy_n(bytes + at + 2, 2, exchanged.data() + at);
+    case 4:
+      vtkByteSwap::Swap4BERange(bytes.data(), bytes.size() / size);
+      break;
+    case 2:
+      vtkByteSwap::Swap2BERange(bytes.data(), bytes.size() / size);
+      break;
+    default:
+      break;
   }
-  return exchanged;
 }
 
-// GDCM changes uncompressed pixels of which not all bits are stored, and ends the process over
-// some.
+// GDCM changes pixels of which not all bits are stored, and ends the process over some, so
+// uncompressed ones are taken from the file. They follow what it has read.
 DicomPixels TakeUncompressed(
-  const gdcm::DataElement& element, const gdcm::TransferSyntax& syntax, const DicomImage& image)
+  DicomStream& stream, const gdcm::TransferSyntax& syntax, const DicomImage& image)
 {
+  const DicomPixelElement element = stream.ReadPixelElement(syntax);
   const std::size_t expected = BytesOf(image, image.pixel);
-  const gdcm::ByteValue* value = element.GetByteValue();
-  const std::size_t found = value ? static_cast<std::size_t>(value->GetLength()) : 0;
-  if (found < expected)
+  if (element.length < expected)
   {
-    throw VolumeReadingError("its pixels have " + std::to_string(found) + " bytes; " +
+    throw VolumeReadingError("its pixels have " + std::to_string(element.length) + " bytes; " +
       std::to_string(expected) + " are needed");
   }
-  const bool isBigEndian = syntax.GetSwapCode() == gdcm::SwapCode::BigEndian;
-  if (isBigEndian && image.pixel.bitsAllocated == 32)
+  // Words of two pixels may end with half of one.
+  DicomPixels pixels{ image.pixel, std::vector<char>(expected + expected % 2) };
+  stream.Read(pixels.bytes.data(), std::min<std::size_t>(pixels.bytes.size(), element.length));
+  if (syntax.GetSwapCode() == gdcm::SwapCode::BigEndian)
   {
-    return DicomPixels(image.pixel, ExchangeHalves(value->GetPointer(), expected));
+    TurnBytes(pixels.bytes, image.pixel.bitsAllocated, element.isWords);
   }
-  return DicomPixels(image.pixel, element);
+  return pixels;
+}
+
+DicomPixels Inflate(const std::filesystem::path& path, const DicomImage& image)
+{
+  gdcm::Reader reader;
+  const DicomStream stream(path, reader);
+  const bool isRead = reader.ReadUpToTag(DicomTags::PixelData);
+  const gdcm::DataSet& data = reader.GetFile().GetDataSet();
+  const gdcm::ByteValue* value = isRead && data.FindDataElement(DicomTags::PixelData)
+    ? data.GetDataElement(DicomTags::PixelData).GetByteValue()
+    : nullptr;
+  const std::size_t expected = BytesOf(image, image.pixel);
+  if (!value || static_cast<std::size_t>(value->GetLength()) < expected)
+  {
+    throw VolumeReadingError("its pixels cannot be inflated");
+  }
+  return { image.pixel, std::vector<char>(value->GetPointer(), value->GetPointer() + expected) };
 }
 
 DicomPixels Decompress(const std::filesystem::path& path, const DicomImage& image)
@@ -118,50 +137,26 @@ DicomPixels Decompress(const std::filesystem::path& path, const DicomImage& imag
   {
     throw VolumeReadingError("its pixels cannot be decoded");
   }
-  return DicomPixels(format, std::move(bytes));
+  return { format, std::move(bytes) };
 }
 
-}
-
-DicomPixels::DicomPixels(const DicomPixelFormat& format, const gdcm::DataElement& element)
-  : Format(format)
-  , Stored(element)
-{
-}
-
-DicomPixels::DicomPixels(const DicomPixelFormat& format, std::vector<char> bytes)
-  : Format(format)
-  , Decoded(std::move(bytes))
-{
-}
-
-const char* DicomPixels::GetBytes() const
-{
-  return this->Decoded.empty() ? this->Stored.GetByteValue()->GetPointer() : this->Decoded.data();
 }
 
 DicomPixels ReadDicomPixels(const std::filesystem::path& path, const DicomImage& image)
 {
   gdcm::Reader reader;
-  const DicomStream stream(path, reader);
-  if (!reader.ReadUpToTag(DicomTags::PixelData))
+  DicomStream stream(path, reader);
+  if (!reader.ReadUpToTag(DicomTags::PixelData, { DicomTags::PixelData }))
   {
     throw VolumeReadingError("it is damaged");
   }
   const gdcm::TransferSyntax& syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
-  // What inflates the file asks for more than it has.
-  if (syntax != gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian)
+  if (syntax == gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian)
   {
-    stream.ThrowIfCutShort();
+    return Inflate(path, image);
   }
-  const gdcm::DataSet& data = reader.GetFile().GetDataSet();
-  if (!data.FindDataElement(DicomTags::PixelData))
-  {
-    throw VolumeReadingError("it has no pixels");
-  }
-  const gdcm::DataElement& element = data.GetDataElement(DicomTags::PixelData);
-  return IsCompressed(element, syntax) ? Decompress(path, image)
-                                       : TakeUncompressed(element, syntax, image);
+  return syntax.IsEncapsulated() ? Decompress(path, image)
+                                 : TakeUncompressed(stream, syntax, image);
 }
 
 }

@@ -1,5 +1,5 @@
 /**
- * @class   DicomPixels
+ * @file    DicomPixels.h
  * @brief   the pixels of a DICOM file, as stored
  */
 
@@ -8,35 +8,18 @@
 
 #include "DicomImage.h"
 
-#include <gdcmDataElement.h>
-
 #include <filesystem>
 #include <vector>
 
 namespace penumbra
 {
 
-class DicomPixels
+struct DicomPixels
 {
-public:
-  DicomPixels() = default;
-
-  /// Pixels that are stored as they are; `element` is Pixel Data.
-  DicomPixels(const DicomPixelFormat& format, const gdcm::DataElement& element);
-
-  /// Pixels that were decoded.
-  DicomPixels(const DicomPixelFormat& format, std::vector<char> bytes);
-
   /// Of the pixels themselves; a compressed file's may differ from what its header says.
-  const DicomPixelFormat& GetFormat() const { return this->Format; }
-
+  DicomPixelFormat format;
   /// All frames, in the byte order of this machine.
-  const char* GetBytes() const;
-
-private:
-  DicomPixelFormat Format;
-  gdcm::DataElement Stored;
-  std::vector<char> Decoded;
+  std::vector<char> bytes;
 };
 
 /**

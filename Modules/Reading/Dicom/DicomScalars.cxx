@@ -205,7 +205,7 @@ std::optional<WholeRescale> ToWhole(
 // holds all values.
 template <typename Pixel, typename Scalar>
 std::optional<bool> ConvertWhole(const char* bytes, std::size_t count, const WholeRescale& rescale,
-  const DicomImage& image, Scalar* values)
+  const DicomImage& image, const std::optional<Scalar>& marker, Scalar* values)
 {
   Pixel lowest = StoredAt<Pixel>(bytes, 0);
   Pixel highest = lowest;
@@ -220,6 +220,10 @@ std::optional<bool> ConvertWhole(const char* bytes, std::size_t count, const Who
     return std::nullopt;
   }
   const auto [smallest, largest] = std::minmax({ rescale(lowest), rescale(highest) });
+  if (marker && smallest <= *marker && largest >= *marker)
+  {
+    return std::nullopt;
+  }
   if (smallest < static_cast<std::int64_t>(std::numeric_limits<Scalar>::lowest()) ||
     largest > static_cast<std::int64_t>(std::numeric_limits<Scalar>::max()))
   {
@@ -248,8 +252,8 @@ bool ConvertPixels(const char* bytes, std::size_t count, const DicomPixelFormat&
     if (whole && pixel.bitsStored == pixel.bitsAllocated)
     {
       const auto isHeld = pixel.isSigned
-        ? ConvertWhole<std::make_signed_t<Pixel>>(bytes, count, *whole, image, values)
-        : ConvertWhole<Pixel>(bytes, count, *whole, image, values);
+        ? ConvertWhole<std::make_signed_t<Pixel>>(bytes, count, *whole, image, marker, values)
+        : ConvertWhole<Pixel>(bytes, count, *whole, image, marker, values);
       if (isHeld)
       {
         return *isHeld;
@@ -325,10 +329,10 @@ bool ConvertFrame(const DicomPixels& pixels, const DicomImage& image, std::size_
 {
   const std::size_t count =
     static_cast<std::size_t>(image.columns) * static_cast<std::size_t>(image.rows);
-  const std::size_t pixelBytes = static_cast<std::size_t>(pixels.GetFormat().bitsAllocated) / 8;
-  const char* bytes = pixels.GetBytes() + frame * count * pixelBytes;
+  const std::size_t pixelBytes = static_cast<std::size_t>(pixels.format.bitsAllocated) / 8;
+  const char* bytes = pixels.bytes.data() + frame * count * pixelBytes;
   const DicomRescale& rescale = image.frames[frame].rescale;
-  const DicomPixelFormat& format = pixels.GetFormat();
+  const DicomPixelFormat& format = pixels.format;
   switch (pixelBytes)
   {
     case 1:

@@ -1,11 +1,14 @@
 #include "DicomStream.h"
 
 #include "DicomFiles.h"
+#include "DicomTags.h"
 #include "VolumeReadingError.h"
 
 #include <gdcmTrace.h>
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 namespace penumbra
 {
@@ -121,6 +124,52 @@ DicomStream::DicomStream(const std::filesystem::path& path, gdcm::Reader& reader
 std::uint64_t DicomStream::GetSize() const
 {
   return static_cast<std::uint64_t>(this->Bytes.GetSize());
+}
+
+DicomPixelElement DicomStream::ReadPixelElement(const gdcm::TransferSyntax& syntax)
+{
+  // Tag, type and length, or where types are implicit, tag and length behind the end of something
+  // else. Not all files keep to what their syntax says of types.
+  std::array<unsigned char, 12> head{};
+  this->Stream.clear();
+  this->Stream.seekg(-static_cast<std::streamoff>(head.size()), std::ios::cur);
+  this->Read(reinterpret_cast<char*>(head.data()), head.size());
+  const bool isBig = syntax.GetSwapCode() == gdcm::SwapCode::BigEndian;
+  const auto number = [&head, isBig](std::size_t at, std::size_t count)
+  {
+    std::uint32_t value = 0;
+    for (std::size_t index = 0; index < count; ++index)
+    {
+      value = value << 8 | head[at + (isBig ? index : count - 1 - index)];
+    }
+    return value;
+  };
+  const auto isPixelData = [&number](std::size_t at)
+  {
+    return number(at, 2) == DicomTags::PixelData.GetGroup() &&
+      number(at + 2, 2) == DicomTags::PixelData.GetElement();
+  };
+  const bool isExplicit = isPixelData(0) && head[4] == 'O';
+  if (!isExplicit && !isPixelData(4))
+  {
+    throw VolumeReadingError("it has no pixels");
+  }
+  const std::uint64_t length = number(8, 4);
+  const auto rest = this->GetSize() - static_cast<std::uint64_t>(this->Stream.tellg());
+  if (length > rest)
+  {
+    throw VolumeReadingError("it is cut short: its pixels have " + std::to_string(rest) +
+      " bytes of " + std::to_string(length));
+  }
+  return { length, isExplicit && head[5] == 'W' };
+}
+
+void DicomStream::Read(char* bytes, std::size_t count)
+{
+  if (!this->Stream.read(bytes, static_cast<std::streamsize>(count)))
+  {
+    throw VolumeReadingError("it is cut short");
+  }
 }
 
 void DicomStream::ThrowIfCutShort() const

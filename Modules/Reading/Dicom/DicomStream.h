@@ -20,6 +20,17 @@
 namespace penumbra
 {
 
+/**
+ * The Pixel Data element at which reading has stopped.
+ */
+struct DicomPixelElement
+{
+  /// In bytes.
+  std::uint64_t length = 0;
+  /// Whether it is written in words of 16 bits.
+  bool isWords = false;
+};
+
 class DicomStream
 {
 public:
@@ -31,6 +42,17 @@ public:
 
   /// Of the file, in bytes.
   std::uint64_t GetSize() const;
+
+  /**
+   * The element whose value follows, after GDCM has read up to the uncompressed Pixel Data. Throws
+   * VolumeReadingError where it is another, or longer than the rest of the file.
+   */
+  DicomPixelElement ReadPixelElement(const gdcm::TransferSyntax& syntax);
+
+  /**
+   * The bytes that follow. Throws VolumeReadingError where there are fewer.
+   */
+  void Read(char* bytes, std::size_t count);
 
   /**
    * Throws VolumeReadingError where more was asked for than the file has.

@@ -212,9 +212,12 @@ int vtkDICOMVolumeReader::RequestInformation(
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> vtkDICOMVolumeReader::ReadVoxels()
 {
-  const auto progress = [this](double part)
+  // Where slices have to be read again, it goes on from where it was.
+  double most = 0.0;
+  const auto progress = [this, &most](double part)
   {
-    this->UpdateProgress(part);
+    most = std::max(most, part);
+    this->UpdateProgress(most);
     return !this->GetAbortExecute();
   };
   return this->State->Reading->ReadVoxels(*this->State->Parser, progress);
