@@ -83,6 +83,7 @@ TEST_CASE("Symbolic links are followed once")
   other.Write("3.dcm", slices[3].File());
   fs::create_directory_symlink(PathIn(other, "there"), PathIn(folder, "link to a folder"));
   fs::create_symlink(PathIn(other, "3.dcm"), PathIn(folder, "link to a file"));
+  fs::create_symlink(PathIn(folder, "2.dcm"), PathIn(folder, "link to a file beside it"));
   fs::create_symlink(PathIn(other, "missing"), PathIn(folder, "link to nothing"));
   fs::create_directory_symlink(PathIn(folder, ""), PathIn(folder, "link to itself"));
   fs::create_directory_symlink(PathIn(folder, ""), PathIn(other, "there/link back"));

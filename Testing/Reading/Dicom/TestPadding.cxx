@@ -165,6 +165,25 @@ TEST_CASE("Each slice has its own padding and rescaling")
     });
 }
 
+TEST_CASE("Padding of some slices is none of the others")
+{
+  const int padded = GENERATE(0, 2);
+  auto slices = Slices(3);
+  for (auto& slice : slices)
+  {
+    slice.isSigned = true;
+    slice.stored = [](int i, int j, int) { return i == 0 ? -2000 : 10 * i + j; };
+  }
+  slices[padded].elements["PixelPaddingValue"] = "-2000";
+  slices[padded].stored = [](int i, int j, int) { return i == 0 ? -2000 : i == 1 ? -77 : j; };
+  CheckPadded(slices,
+    [](const DicomSample& slice, double stored)
+    {
+      const bool isPadding = stored == -2000 && slice.elements.count("PixelPaddingValue") > 0;
+      return isPadding ? -2000 : stored;
+    });
+}
+
 TEST_CASE("Padding is found among 8 bits and in images of many pixels")
 {
   const bool isSigned = GENERATE(false, true);

@@ -53,6 +53,19 @@ TEST_CASE("Progress rises to 1")
   CheckProgress(Slices(25));
 }
 
+TEST_CASE("Progress rises to 1 where the last slice needs a larger scalar type")
+{
+  auto slices = Slices(25);
+  for (auto& slice : slices)
+  {
+    slice.isSigned = true;
+    slice.elements["RescaleIntercept"] = "-1024";
+    slice.stored = [](int i, int, int) { return i; };
+  }
+  slices[24].stored = [](int, int, int) { return -32768; };
+  CheckProgress(slices);
+}
+
 TEST_CASE("An observer of the progress can end the reading")
 {
   const auto parser = GENERATE(from_range(Parsers()));
