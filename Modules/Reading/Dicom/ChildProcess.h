@@ -1,38 +1,38 @@
 /**
  * @class   ChildProcess
- * @brief   a program started by this one, and what it writes to its standard output
+ * @brief   a program started by this one, with a connection to its standard input and output
  *
- * There is one at a time, for KWSys keeps all of them in one place without a lock; the next one, of
- * another thread, waits.
+ * What it writes to its standard error is dropped. It ends with this object at the latest.
  */
 
 #ifndef ChildProcess_h
 #define ChildProcess_h
 
-#include "vtksys/Process.h"
-
-#include <mutex>
 #include <string>
 #include <vector>
 
 namespace penumbra
 {
 
+class SharedMemory;
+
 class ChildProcess
 {
 public:
   /**
-   * Starts `command`, the path of a program and its arguments. Throws VolumeReadingError where it
-   * cannot be started.
+   * Starts `command`, the path of a program and its arguments. It finds `memory` by
+   * SharedMemory::OfParent. Throws VolumeReadingError where it cannot be started.
    */
-  explicit ChildProcess(const std::vector<std::string>& command);
+  ChildProcess(const std::vector<std::string>& command, const SharedMemory& memory);
 
-  /**
-   * Ends the program if it still runs.
-   */
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /**
+   * Writes to its standard input. Returns false where it does not read any more.
+   */
+  bool Send(const std::string& bytes);
 
   enum class Output
   {
@@ -47,8 +47,8 @@ public:
   Output Wait(double seconds, std::string& bytes);
 
 private:
-  std::unique_lock<std::mutex> OnlyOne;
-  vtksysProcess* Process;
+  int Connection = -1;
+  int Process = -1;
 };
 
 }

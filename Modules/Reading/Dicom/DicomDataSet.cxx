@@ -1,6 +1,9 @@
 #include "DicomDataSet.h"
 
+#include "OneLine.h"
+
 #include <gdcmByteValue.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstring>
@@ -22,6 +25,15 @@ std::string Trimmed(const std::string& text)
     return {};
   }
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+// Texts may be in any character set, or damaged: what is no UTF-8 becomes its replacement
+// character.
+std::string ToUtf8(const std::string& text)
+{
+  using nlohmann::json;
+  const std::string quoted = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+  return OneLine(json::parse(quoted).get<std::string>());
 }
 
 std::optional<double> ToNumber(const std::string& text)
@@ -68,7 +80,7 @@ std::string DicomDataSet::Bytes(const gdcm::Tag& tag) const
 
 std::string DicomDataSet::Text(const gdcm::Tag& tag) const
 {
-  return Trimmed(this->Bytes(tag));
+  return ToUtf8(Trimmed(this->Bytes(tag)));
 }
 
 std::vector<double> DicomDataSet::Decimals(const gdcm::Tag& tag) const

@@ -126,7 +126,7 @@ std::optional<std::array<std::int64_t, 2>> ReadPadding(
 std::string StatedType(const DicomDataSet& data)
 {
   const std::string type = data.Text(DicomTags::RescaleType);
-  return type == "US" ? "" : type;
+  return type == "US" || type.find("UNITLESS") != std::string::npos ? "" : type;
 }
 
 std::string ReadUnits(const DicomDataSet& data, const std::string& modality)

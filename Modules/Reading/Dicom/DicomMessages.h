@@ -32,8 +32,7 @@ struct DicomRequest
   /// Images are needed for voxels only.
   std::vector<DicomFile> files;
   DicomVolumePlan plan;
-  /// Where a parser process puts voxels, see SharedMemory.
-  std::string voxels;
+  /// In bytes.
   std::size_t memoryLimit = 0;
 };
 

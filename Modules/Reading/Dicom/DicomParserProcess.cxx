@@ -34,7 +34,8 @@ constexpr std::uint64_t ProgramMemory = std::uint64_t(1) << 30;
 // Parsing keeps the file's bytes, and copies of parts of them.
 constexpr std::uint64_t MemoryPerFileByte = 4;
 
-// One conversation with a parser process: its answers are handed to `answer`.
+// One conversation with a parser process, which does not survive one that is broken off: its
+// answers are handed to `answer`.
 class Conversation
 {
 public:
@@ -53,13 +54,28 @@ public:
   {
   }
 
-  End Hold(const fs::path& program, const Answer& answer, const ReadingProgress& progress)
+  End Hold(
+    std::unique_ptr<ChildProcess>& child, const Answer& answer, const ReadingProgress& progress)
   {
-    SharedMemory memory;
-    const std::string request = Encode(ToMessage(this->Request));
-    memory.Resize(request.size());
-    std::copy(request.begin(), request.end(), memory.GetData());
-    ChildProcess process({ program.u8string(), memory.GetName() });
+    std::unique_ptr<ChildProcess> process = std::move(child);
+    const End end = this->Hold(*process, answer, progress);
+    if (end == End::Done)
+    {
+      child = std::move(process);
+    }
+    return end;
+  }
+
+  /// The file that was being parsed at the end, if any was.
+  std::optional<std::size_t> GetStarted() const { return this->Started; }
+
+private:
+  End Hold(ChildProcess& process, const Answer& answer, const ReadingProgress& progress)
+  {
+    if (!process.Send(Encode(ToMessage(this->Request))))
+    {
+      return End::Crashed;
+    }
     this->Begin(std::nullopt);
     std::string bytes;
     while (true)
@@ -73,7 +89,7 @@ public:
       {
         throw ReadingCancelled();
       }
-      if (output == ChildProcess::Output::Ended)
+      if (this->IsDone || output == ChildProcess::Output::Ended)
       {
         return this->IsDone ? End::Done : End::Crashed;
       }
@@ -84,10 +100,6 @@ public:
     }
   }
 
-  /// The file that was being parsed at the end, if any was.
-  std::optional<std::size_t> GetStarted() const { return this->Started; }
-
-private:
   // Returns whether all of it makes sense: a parser that a file has broken may say anything.
   bool TakeAnswers(std::string& bytes, const Answer& answer)
   {
@@ -198,6 +210,18 @@ DicomParserProcess::DicomParserProcess(fs::path program, const DicomParserLimits
 {
 }
 
+DicomParserProcess::~DicomParserProcess() = default;
+
+std::unique_ptr<ChildProcess>& DicomParserProcess::GetChild()
+{
+  if (!this->Child)
+  {
+    this->Child = std::make_unique<ChildProcess>(
+      std::vector<std::string>{ this->Program.u8string() }, this->Voxels);
+  }
+  return this->Child;
+}
+
 std::vector<DicomHeaderResult> DicomParserProcess::ReadHeaders(
   const std::vector<fs::path>& paths, const ReadingProgress& progress)
 {
@@ -234,7 +258,7 @@ std::vector<DicomHeaderResult> DicomParserProcess::ReadHeaders(
       return progress((done + rest * (all - done)) / all);
     };
     Conversation conversation(request, this->Limits.seconds);
-    const Conversation::End end = conversation.Hold(this->Program, answer, restProgress);
+    const Conversation::End end = conversation.Hold(this->GetChild(), answer, restProgress);
     timesTooLong += end == Conversation::End::TooLong ? 1 : 0;
     if (timesTooLong > 1)
     {
@@ -277,7 +301,7 @@ std::vector<fs::path> DicomParserProcess::ReadDirectory(const fs::path& path)
   };
   Conversation conversation(request, this->Limits.seconds);
   const Conversation::End end =
-    conversation.Hold(this->Program, answer, [](double) { return true; });
+    conversation.Hold(this->GetChild(), answer, [](double) { return true; });
   if (end != Conversation::End::Done || !failure.empty())
   {
     throw VolumeReadingError(failure.empty() ? ReasonOf(end) : failure);
@@ -288,12 +312,10 @@ std::vector<fs::path> DicomParserProcess::ReadDirectory(const fs::path& path)
 DicomVoxelArray DicomParserProcess::ReadVoxels(
   const std::vector<DicomFile>& files, const DicomVolumePlan& plan, const ReadingProgress& progress)
 {
-  SharedMemory voxels;
   DicomRequest request;
   request.task = DicomTask::Voxels;
   request.files = files;
   request.plan = plan;
-  request.voxels = voxels.GetName();
   request.memoryLimit = MemoryForVoxels(request, this->Limits);
   std::optional<DicomVoxels> read;
   std::string failure;
@@ -307,7 +329,11 @@ DicomVoxelArray DicomParserProcess::ReadVoxels(
     read = { message.at(DicomAnswer::ScalarType), message.at(DicomAnswer::Filled) };
   };
   Conversation conversation(request, this->Limits.seconds);
-  const Conversation::End end = conversation.Hold(this->Program, answer, progress);
+  const Conversation::End end = conversation.Hold(this->GetChild(), answer, progress);
+  // The memory belongs to these voxels from now on, or to those of a file that failed.
+  SharedMemory voxels = std::move(this->Voxels);
+  this->Voxels = SharedMemory();
+  this->Child.reset();
   if (end == Conversation::End::Done && failure.empty() && read)
   {
     voxels.Map();

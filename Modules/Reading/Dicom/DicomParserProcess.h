@@ -9,9 +9,12 @@
 #ifndef DicomParserProcess_h
 #define DicomParserProcess_h
 
+#include "ChildProcess.h"
 #include "DicomParser.h"
+#include "SharedMemory.h"
 
 #include <cstdint>
+#include <memory>
 
 namespace penumbra
 {
@@ -32,6 +35,8 @@ public:
    */
   DicomParserProcess(std::filesystem::path program, const DicomParserLimits& limits);
 
+  ~DicomParserProcess() override;
+
   std::vector<DicomHeaderResult> ReadHeaders(
     const std::vector<std::filesystem::path>& paths, const ReadingProgress& progress) override;
   std::vector<std::filesystem::path> ReadDirectory(const std::filesystem::path& path) override;
@@ -39,8 +44,14 @@ public:
     const ReadingProgress& progress) override;
 
 private:
+  // Started if there is none.
+  std::unique_ptr<ChildProcess>& GetChild();
+
   std::filesystem::path Program;
   DicomParserLimits Limits;
+  SharedMemory Voxels;
+  // Kept from one task to the next, for it takes longer to start than many a task.
+  std::unique_ptr<ChildProcess> Child;
 };
 
 }

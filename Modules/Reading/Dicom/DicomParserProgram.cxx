@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <optional>
 
 using nlohmann::json;
 
@@ -28,12 +29,19 @@ void Send(const json& message)
   std::fflush(stdout);
 }
 
-DicomRequest ReceiveRequest(const std::string& name)
+// Nothing where no more is asked for.
+std::optional<DicomRequest> ReceiveRequest()
 {
-  SharedMemory memory(name);
-  memory.Map();
-  std::string bytes(memory.GetData(), memory.GetSize());
-  return RequestFromMessage(TakeMessage(bytes).value());
+  std::string bytes;
+  for (int byte = std::getchar(); byte != EOF; byte = std::getchar())
+  {
+    bytes += static_cast<char>(byte);
+    if (const auto message = TakeMessage(bytes))
+    {
+      return RequestFromMessage(*message);
+    }
+  }
+  return std::nullopt;
 }
 
 void SendHeaders(const DicomRequest& request)
@@ -69,7 +77,7 @@ void SendDirectory(const DicomRequest& request)
 
 void SendVoxels(const DicomRequest& request)
 {
-  SharedMemory voxels(request.voxels);
+  SharedMemory voxels = SharedMemory::OfParent();
   const auto room = [&voxels, &request](int scalarType)
   {
     const auto scalarSize =
@@ -91,11 +99,29 @@ void SendVoxels(const DicomRequest& request)
   }
 }
 
+void Answer(const DicomRequest& request)
+{
+  LimitMemory(request.memoryLimit);
+  switch (request.task)
+  {
+    case DicomTask::Headers:
+      SendHeaders(request);
+      break;
+    case DicomTask::Directory:
+      SendDirectory(request);
+      break;
+    case DicomTask::Voxels:
+      SendVoxels(request);
+      break;
+  }
+  Send({ { DicomAnswer::Done, true } });
 }
 
-int RunDicomParser(int argc, char* argv[])
+}
+
+int RunDicomParser(int argc, char*[])
 {
-  if (argc != 2)
+  if (argc != 1)
   {
     std::cerr << "This program reads DICOM files for other programs and is started by them.\n";
     return EXIT_FAILURE;
@@ -103,27 +129,15 @@ int RunDicomParser(int argc, char* argv[])
   std::cout.rdbuf(nullptr); // stdout is for answers alone
   try
   {
-    const DicomRequest request = ReceiveRequest(argv[1]);
-    LimitMemory(request.memoryLimit);
-    switch (request.task)
+    while (const auto request = ReceiveRequest())
     {
-      case DicomTask::Headers:
-        SendHeaders(request);
-        break;
-      case DicomTask::Directory:
-        SendDirectory(request);
-        break;
-      case DicomTask::Voxels:
-        SendVoxels(request);
-        break;
+      Answer(*request);
     }
-    Send({ { DicomAnswer::Done, true } });
     return EXIT_SUCCESS;
   }
-  catch (const std::exception& error)
+  catch (const std::exception&)
   {
-    std::cerr << error.what() << "\n";
-    return EXIT_FAILURE;
+    return EXIT_FAILURE; // what was asked for makes no sense
   }
 }
 

@@ -12,8 +12,9 @@ namespace penumbra
 {
 
 /**
- * All of penumbra-dicom-parser but its main function: answers the request in the shared memory that
- * the first argument names, on stdout. Returns the exit status.
+ * All of penumbra-dicom-parser but its main function: answers requests from stdin on stdout until
+ * there are no more, and puts voxels into the memory that it shares with the process that started
+ * it. Returns the exit status.
  */
 PENUMBRAREADING_EXPORT int RunDicomParser(int argc, char* argv[]);
 

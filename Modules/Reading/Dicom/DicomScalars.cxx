@@ -149,25 +149,25 @@ private:
   std::optional<std::array<std::int64_t, 2>> Padding;
 };
 
-// Returns whether Scalar holds all values.
 template <typename Pixel, typename Scalar>
-bool ConvertAll(const char* bytes, std::size_t count, const StoredToValue& convert,
+DicomConversion ConvertAll(const char* bytes, std::size_t count, const StoredToValue& convert,
   const std::optional<Scalar>& marker, Scalar* values)
 {
-  bool isHeld = true;
+  DicomConversion result;
   for (std::size_t index = 0; index < count; ++index)
   {
     const std::int64_t stored = convert.ToStored(StoredAt<Pixel>(bytes, index));
     if (convert.IsPadding(stored))
     {
       values[index] = *marker;
+      result.hasPadding = true;
       continue;
     }
     const Converted<Scalar> converted = ToScalar<Scalar>(convert.ToValue(stored));
     values[index] = converted.value;
-    isHeld = isHeld && converted.isHeld && !(marker && converted.value == *marker);
+    result.isHeld = result.isHeld && converted.isHeld && !(marker && converted.value == *marker);
   }
-  return isHeld;
+  return result;
 }
 
 // A slope and an intercept of whole numbers, turned over or not, and the values that they lead to.
@@ -242,7 +242,7 @@ std::optional<bool> ConvertWhole(const char* bytes, std::size_t count, const Who
 }
 
 template <typename Pixel, typename Scalar>
-bool ConvertPixels(const char* bytes, std::size_t count, const DicomPixelFormat& pixel,
+DicomConversion ConvertPixels(const char* bytes, std::size_t count, const DicomPixelFormat& pixel,
   const DicomImage& image, const DicomRescale& rescale, const std::optional<Scalar>& marker,
   Scalar* values)
 {
@@ -256,7 +256,7 @@ bool ConvertPixels(const char* bytes, std::size_t count, const DicomPixelFormat&
         : ConvertWhole<Pixel>(bytes, count, *whole, image, marker, values);
       if (isHeld)
       {
-        return *isHeld;
+        return { *isHeld, false };
       }
     }
   }
@@ -324,7 +324,7 @@ std::optional<Scalar> PaddingMarker(const DicomValues& values)
 }
 
 template <typename Scalar>
-bool ConvertFrame(const DicomPixels& pixels, const DicomImage& image, std::size_t frame,
+DicomConversion ConvertFrame(const DicomPixels& pixels, const DicomImage& image, std::size_t frame,
   const std::optional<Scalar>& marker, Scalar* values)
 {
   const std::size_t count =
@@ -378,7 +378,7 @@ std::size_t FillPadding(const std::optional<Scalar>& marker, Scalar* values, std
 
 #define InstantiateForScalar(Scalar)                                                               \
   template std::optional<Scalar> PaddingMarker<Scalar>(const DicomValues&);                        \
-  template bool ConvertFrame<Scalar>(                                                              \
+  template DicomConversion ConvertFrame<Scalar>(                                                   \
     const DicomPixels&, const DicomImage&, std::size_t, const std::optional<Scalar>&, Scalar*);    \
   template std::size_t FillPadding<Scalar>(const std::optional<Scalar>&, Scalar*, std::size_t)
 

@@ -55,11 +55,19 @@ std::vector<int> PossibleScalarTypes(const DicomValues& values);
 template <typename Scalar>
 std::optional<Scalar> PaddingMarker(const DicomValues& values);
 
+struct DicomConversion
+{
+  /// Whether the scalar type holds all values.
+  bool isHeld = true;
+  /// Whether any voxel has got the marker.
+  bool hasPadding = false;
+};
+
 /**
- * The values of frame `frame`, padding as the marker. Returns whether `Scalar` holds all of them.
+ * The values of frame `frame`, padding as the marker.
  */
 template <typename Scalar>
-bool ConvertFrame(const DicomPixels& pixels, const DicomImage& image, std::size_t frame,
+DicomConversion ConvertFrame(const DicomPixels& pixels, const DicomImage& image, std::size_t frame,
   const std::optional<Scalar>& marker, Scalar* values);
 
 /**

@@ -113,7 +113,8 @@ public:
       }
       this->Aside.erase(this->Aside.begin(), this->Aside.lower_bound(of.below));
     }
-    return FillPadding(this->Marker, this->Voxels, this->SliceSize * this->Plan.slices.size());
+    const std::size_t count = this->SliceSize * this->Plan.slices.size();
+    return this->HasPadding ? FillPadding(this->Marker, this->Voxels, count) : 0;
   }
 
 private:
@@ -129,9 +130,10 @@ private:
       static_cast<double>(source) / static_cast<double>(this->Plan.sources.size());
     const DicomPixels& pixels = this->Decoder.Decode(of.file, progress);
     Scalar* values = this->RoomFor(source);
-    const bool isHeld =
+    const DicomConversion conversion =
       ConvertFrame(pixels, this->Files[of.file].image, of.frame, this->Marker, values);
-    this->Decoded[source] = isHeld ? values : nullptr;
+    this->HasPadding = this->HasPadding || conversion.hasPadding;
+    this->Decoded[source] = conversion.isHeld ? values : nullptr;
     return this->Decoded[source];
   }
 
@@ -173,6 +175,7 @@ private:
   Scalar* Voxels;
   std::size_t SliceSize;
   std::optional<Scalar> Marker;
+  bool HasPadding = false;
   std::vector<std::size_t> Places;
   std::vector<const Scalar*> Decoded;
   std::map<std::size_t, std::vector<Scalar>> Aside;

@@ -9,7 +9,6 @@
 #define SharedMemory_h
 
 #include <cstddef>
-#include <string>
 
 namespace penumbra
 {
@@ -23,20 +22,20 @@ public:
   SharedMemory();
 
   /**
-   * The memory of the process that started this one, which is to call Map. Throws std::system_error
-   * where `name` is not what GetName returned there.
+   * The memory that the process that started this one has given to it.
    */
-  explicit SharedMemory(const std::string& name);
+  static SharedMemory OfParent();
 
   ~SharedMemory();
   SharedMemory(SharedMemory&& other) noexcept;
+  SharedMemory& operator=(SharedMemory&& other) noexcept;
   SharedMemory(const SharedMemory&) = delete;
-  SharedMemory& operator=(const SharedMemory&) = delete;
 
   /**
-   * What the other process needs to find it.
+   * The number of the file descriptor: here, and where a child finds what it is given.
    */
-  std::string GetName() const;
+  int GetHandle() const { return this->Handle; }
+  static constexpr int HandleForChild = 3;
 
   /**
    * Makes it `size` bytes large, zeros at first. Throws std::bad_alloc.
@@ -52,9 +51,10 @@ public:
   std::size_t GetSize() const { return this->Size; }
 
 private:
+  explicit SharedMemory(int handle);
   void Unmap();
 
-  int Handle = -1;
+  int Handle;
   char* Data = nullptr;
   std::size_t Size = 0;
 };

@@ -4,7 +4,7 @@
 #include <cerrno>
 #include <limits>
 #include <new>
-#include <stdexcept>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -28,14 +28,13 @@ namespace
 int MakeHandle()
 {
 #ifdef __linux__
-  return memfd_create("penumbra", 0);
+  return memfd_create("penumbra", MFD_CLOEXEC);
 #else
   const std::string name = "/penumbra-" + std::to_string(getpid());
   const int handle = shm_open(name.c_str(), O_CREAT | O_EXCL | O_RDWR, 0600);
   if (handle >= 0)
   {
     shm_unlink(name.c_str());
-    fcntl(handle, F_SETFD, 0); // the process that is started is to have it
   }
   return handle;
 #endif
@@ -52,17 +51,14 @@ SharedMemory::SharedMemory()
   }
 }
 
-SharedMemory::SharedMemory(const std::string& name)
+SharedMemory::SharedMemory(int handle)
+  : Handle(handle)
 {
-  try
-  {
-    this->Handle = std::stoi(name);
-  }
-  catch (const std::logic_error&)
-  {
-    errno = EINVAL;
-    ThrowError("cannot open shared memory");
-  }
+}
+
+SharedMemory SharedMemory::OfParent()
+{
+  return SharedMemory(HandleForChild);
 }
 
 SharedMemory::~SharedMemory()
@@ -81,9 +77,12 @@ SharedMemory::SharedMemory(SharedMemory&& other) noexcept
 {
 }
 
-std::string SharedMemory::GetName() const
+SharedMemory& SharedMemory::operator=(SharedMemory&& other) noexcept
 {
-  return std::to_string(this->Handle);
+  std::swap(this->Handle, other.Handle);
+  std::swap(this->Data, other.Data);
+  std::swap(this->Size, other.Size);
+  return *this;
 }
 
 void SharedMemory::Resize(std::size_t size)
