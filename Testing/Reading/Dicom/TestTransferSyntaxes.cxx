@@ -82,6 +82,17 @@ TEST_CASE("Every lossless transfer syntax gives the same frames")
   CHECK(same);
 }
 
+TEST_CASE("A file that is cut short is refused, whatever its transfer syntax")
+{
+  const auto syntax = GENERATE(from_range(Syntaxes()));
+  const std::size_t missing = GENERATE(20, 60, 200);
+  INFO(Syntax::GetTSString(syntax) << " without " << missing << " bytes");
+  const TemporaryFolder folder;
+  const auto file = Encoded(Slice(0), syntax, 12, false).File();
+  const auto path = folder.Write("cut.dcm", file.substr(0, file.size() - missing));
+  CHECK(Mentions(ReadDicom(path, PENUMBRA_DICOM_PARSER).error, "cut\\.dcm"));
+}
+
 TEST_CASE("Slices of several transfer syntaxes are one volume")
 {
   DicomSlices slices;
