@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that Penumbra needs to be built and tested. This is the one list of
-# them. Where all are there already, apt is not called.
+# Installs the Debian packages that Penumbra needs to be built, and with --tests those whose files
+# the tests read. This is the one list of them. Where all are there already, apt is not called.
 set -euo pipefail
 
 packages=(
@@ -14,6 +14,9 @@ packages=(
   libgdcm-dev
   catch2
 )
+if [[ "${1:-}" == --tests ]]; then
+  packages+=(python3-pydicom)
+fi
 
 is_installed() {
   [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]

@@ -3,6 +3,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+Testing/install-packages.sh --tests
 Testing/build.sh
 echo "Testing ..."
 ctest --preset release --no-tests=error --parallel "$(nproc)" "$@"

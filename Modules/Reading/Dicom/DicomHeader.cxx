@@ -48,6 +48,12 @@ void RefuseColours(const DicomDataSet& data, const std::string& photometric)
   }
 }
 
+int SmallInteger(const DicomDataSet& data, const gdcm::Tag& tag, int absent)
+{
+  const auto value = data.Integer(tag);
+  return value ? static_cast<int>(std::min<std::uint32_t>(*value, 65535)) : absent;
+}
+
 void RefuseOtherPixels(const DicomDataSet& data, const DicomPixelFormat& pixel)
 {
   if (data.Has(DicomTags::FloatPixelData) || data.Has(DicomTags::DoubleFloatPixelData))
@@ -67,6 +73,10 @@ void RefuseOtherPixels(const DicomDataSet& data, const DicomPixelFormat& pixel)
       std::to_string(pixel.bitsAllocated) + " bits up to bit " + std::to_string(pixel.highBit) +
       "; 8, 16 or 32 bits are needed and what is stored within them");
   }
+  if (SmallInteger(data, DicomTags::PixelRepresentation, 0) > 1)
+  {
+    throw VolumeReadingError("its Pixel Representation is neither 0 nor 1");
+  }
   if (data.Items(DicomTags::ModalityLUTSequence).Size() > 0)
   {
     throw VolumeReadingError("its values go through a Modality LUT, which is not read");
@@ -79,12 +89,6 @@ void RefuseMosaics(const DicomDataSet& data)
   {
     throw VolumeReadingError("it is a mosaic, whose tiles are slices; split it into slices first");
   }
-}
-
-int SmallInteger(const DicomDataSet& data, const gdcm::Tag& tag, int absent)
-{
-  const auto value = data.Integer(tag);
-  return value ? static_cast<int>(std::min<std::uint32_t>(*value, 65535)) : absent;
 }
 
 DicomPixelFormat ReadPixelFormat(const DicomDataSet& data)

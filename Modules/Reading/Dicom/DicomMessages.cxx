@@ -119,7 +119,7 @@ json ToMessage(const DicomRequest& request)
     files.push_back(FileMessage(file, request.task == DicomTask::Voxels));
   }
   return json::array({ static_cast<int>(request.task), std::move(files), PlanMessage(request.plan),
-    request.memoryLimit });
+    request.inParallel, request.memoryLimit });
 }
 
 DicomRequest RequestFromMessage(const json& message)
@@ -131,7 +131,8 @@ DicomRequest RequestFromMessage(const json& message)
     request.files.push_back(FileFromMessage(file));
   }
   request.plan = PlanFromMessage(message.at(2));
-  message.at(3).get_to(request.memoryLimit);
+  message.at(3).get_to(request.inParallel);
+  message.at(4).get_to(request.memoryLimit);
   return request;
 }
 

@@ -32,6 +32,8 @@ struct DicomRequest
   /// Images are needed for voxels only.
   std::vector<DicomFile> files;
   DicomVolumePlan plan;
+  /// Whether several files may be parsed at once.
+  bool inParallel = false;
   /// In bytes.
   std::size_t memoryLimit = 0;
 };

@@ -39,12 +39,7 @@ constexpr std::uint64_t MemoryPerFileByte = 4;
 class Conversation
 {
 public:
-  enum class End
-  {
-    Done,
-    Crashed,
-    TooLong
-  };
+  using End = ConversationEnd;
 
   using Answer = std::function<void(const json&)>;
 
@@ -222,6 +217,30 @@ std::unique_ptr<ChildProcess>& DicomParserProcess::GetChild()
   return this->Child;
 }
 
+DicomParserProcess::VoxelAnswers DicomParserProcess::AskForVoxels(
+  const DicomRequest& request, const ReadingProgress& progress)
+{
+  VoxelAnswers answers;
+  const auto answer = [&answers](const json& message)
+  {
+    if (message.contains(DicomAnswer::Failure))
+    {
+      message.at(DicomAnswer::Failure).get_to(answers.failure);
+      return;
+    }
+    answers.read = { message.at(DicomAnswer::ScalarType), message.at(DicomAnswer::Filled) };
+  };
+  Conversation conversation(request, this->Limits.seconds);
+  answers.end = conversation.Hold(this->GetChild(), answer, progress);
+  answers.file = conversation.GetStarted();
+  if (answers.end != ConversationEnd::Done)
+  {
+    answers.read.reset();
+    answers.failure = ReasonOf(answers.end);
+  }
+  return answers;
+}
+
 std::vector<DicomHeaderResult> DicomParserProcess::ReadHeaders(
   const std::vector<fs::path>& paths, const ReadingProgress& progress)
 {
@@ -317,35 +336,34 @@ DicomVoxelArray DicomParserProcess::ReadVoxels(
   request.files = files;
   request.plan = plan;
   request.memoryLimit = MemoryForVoxels(request, this->Limits);
-  std::optional<DicomVoxels> read;
-  std::string failure;
-  const auto answer = [&read, &failure](const json& message)
+  VoxelAnswers answers;
+  // Which of several files at once a parser has ended with is not known, so that they are then
+  // parsed one by one.
+  for (const bool inParallel : { true, false })
   {
-    if (message.contains(DicomAnswer::Failure))
+    request.inParallel = inParallel;
+    answers = this->AskForVoxels(request, progress);
+    if (answers.end == ConversationEnd::Done)
     {
-      message.at(DicomAnswer::Failure).get_to(failure);
-      return;
+      break;
     }
-    read = { message.at(DicomAnswer::ScalarType), message.at(DicomAnswer::Filled) };
-  };
-  Conversation conversation(request, this->Limits.seconds);
-  const Conversation::End end = conversation.Hold(this->GetChild(), answer, progress);
-  // The memory belongs to these voxels from now on, or to those of a file that failed.
-  SharedMemory voxels = std::move(this->Voxels);
-  this->Voxels = SharedMemory();
-  this->Child.reset();
-  if (end == Conversation::End::Done && failure.empty() && read)
+    this->Voxels = SharedMemory();
+  }
+  if (answers.read)
   {
+    // The memory belongs to these voxels from now on, and the parser that has it with it.
+    this->Child.reset();
+    SharedMemory voxels = std::exchange(this->Voxels, SharedMemory());
     voxels.Map();
     const auto count = static_cast<vtkIdType>(NumberOfVoxels(plan.geometry, 1));
-    return { MakeSharedArray(std::move(voxels), read->scalarType, count), read->filled };
+    return { MakeSharedArray(std::move(voxels), answers.read->scalarType, count),
+      answers.read->filled };
   }
-  const std::string reason = failure.empty() ? ReasonOf(end) : failure;
-  if (!conversation.GetStarted() || *conversation.GetStarted() >= files.size())
+  if (!answers.file || *answers.file >= files.size())
   {
-    throw VolumeReadingError(reason);
+    throw VolumeReadingError(answers.failure);
   }
-  throw DicomFileError(*conversation.GetStarted(), reason);
+  throw DicomFileError(*answers.file, answers.failure);
 }
 
 }

@@ -11,10 +11,13 @@
 
 #include "ChildProcess.h"
 #include "DicomParser.h"
+#include "DicomVoxels.h"
 #include "SharedMemory.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace penumbra
 {
@@ -25,6 +28,18 @@ struct DicomParserLimits
   std::uint64_t memory = 0;
   /// Seconds for one file, and one more for each MiB of it.
   double seconds = 0.0;
+};
+
+struct DicomRequest;
+
+/**
+ * How asking a parser process for something ends.
+ */
+enum class ConversationEnd
+{
+  Done,
+  Crashed,
+  TooLong
 };
 
 class DicomParserProcess : public DicomParser
@@ -44,6 +59,16 @@ public:
     const ReadingProgress& progress) override;
 
 private:
+  struct VoxelAnswers
+  {
+    ConversationEnd end = ConversationEnd::Done;
+    std::optional<DicomVoxels> read;
+    std::string failure;
+    /// The one that was parsed last.
+    std::optional<std::size_t> file;
+  };
+  VoxelAnswers AskForVoxels(const DicomRequest& request, const ReadingProgress& progress);
+
   // Started if there is none.
   std::unique_ptr<ChildProcess>& GetChild();
 

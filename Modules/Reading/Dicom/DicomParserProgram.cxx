@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <mutex>
 #include <optional>
 
 using nlohmann::json;
@@ -22,8 +23,11 @@ namespace penumbra
 namespace
 {
 
+// By several threads.
 void Send(const json& message)
 {
+  static std::mutex oneAtATime;
+  const std::lock_guard<std::mutex> lock(oneAtATime);
   const std::string bytes = Encode(message);
   std::fwrite(bytes.data(), 1, bytes.size(), stdout);
   std::fflush(stdout);
@@ -90,8 +94,14 @@ void SendVoxels(const DicomRequest& request)
   };
   try
   {
-    const DicomVoxels read = ReadDicomVoxels(request.files, request.plan, room, start);
+    const DicomVoxels read =
+      ReadDicomVoxels(request.files, request.plan, room, { start, request.inParallel });
     Send({ { DicomAnswer::ScalarType, read.scalarType }, { DicomAnswer::Filled, read.filled } });
+  }
+  catch (const DicomFileError& error)
+  {
+    start(error.File, 1.0); // others may have been started since
+    Send({ { DicomAnswer::Failure, error.what() } });
   }
   catch (const std::exception& error)
   {

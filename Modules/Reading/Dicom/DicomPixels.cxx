@@ -89,7 +89,8 @@ DicomPixels TakeUncompressed(
   // Words of two pixels may end with half of one.
   DicomPixels pixels{ image.pixel, std::vector<char>(expected + expected % 2) };
   stream.Read(pixels.bytes.data(), std::min<std::size_t>(pixels.bytes.size(), element.length));
-  if (syntax.GetSwapCode() == gdcm::SwapCode::BigEndian)
+  if (syntax == gdcm::TransferSyntax::ExplicitVRBigEndian ||
+    syntax == gdcm::TransferSyntax::ImplicitVRBigEndianPrivateGE)
   {
     TurnBytes(pixels.bytes, image.pixel.bitsAllocated, element.isWords);
   }

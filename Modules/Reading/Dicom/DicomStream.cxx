@@ -149,7 +149,7 @@ DicomPixelElement DicomStream::ReadPixelElement(const gdcm::TransferSyntax& synt
     return number(at, 2) == DicomTags::PixelData.GetGroup() &&
       number(at + 2, 2) == DicomTags::PixelData.GetElement();
   };
-  const bool isExplicit = isPixelData(0) && head[4] == 'O';
+  const bool isExplicit = isPixelData(0) && (head[4] == 'O' || head[4] == 'U');
   if (!isExplicit && !isPixelData(4))
   {
     throw VolumeReadingError("it has no pixels");

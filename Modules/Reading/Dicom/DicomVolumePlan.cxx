@@ -247,6 +247,20 @@ void TellMixedRescale(const DicomSeries& series, const std::vector<PlacedSlice>&
   }
 }
 
+void TellMixedFormats(const DicomSeries& series, const std::vector<PlacedSlice>& slices,
+  std::vector<std::string>& warnings)
+{
+  const auto formatOf = [&series](const PlacedSlice& slice)
+  { return series.files[slice.source.file].image.pixel; };
+  const auto others = std::count_if(slices.begin(), slices.end(),
+    [&](const PlacedSlice& slice) { return !(formatOf(slice) == formatOf(slices.front())); });
+  if (others > 0)
+  {
+    warnings.push_back(CountText(static_cast<std::size_t>(others), "slice") +
+      " stored with other bits than the first");
+  }
+}
+
 void TellInversion(const DicomImage& image, std::vector<std::string>& warnings)
 {
   if (image.isInverted)
@@ -327,6 +341,7 @@ DicomVolumePlan PlanVolume(const DicomSeries& series, std::vector<std::string>& 
   SetGeometry(
     plan, first.file->image, orientation, placed.front().position, stacking, even.spacing);
   TellMixedRescale(series, placed, warnings);
+  TellMixedFormats(series, placed, warnings);
   TellInversion(first.file->image, warnings);
   return plan;
 }

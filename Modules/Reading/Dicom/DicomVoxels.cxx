@@ -3,15 +3,19 @@
 #include "DicomPixels.h"
 #include "DicomScalars.h"
 #include "FailureReason.h"
+#include "vtkSMPTools.h"
 #include "vtkType.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <exception>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <optional>
+#include <set>
 
 namespace penumbra
 {
@@ -69,10 +73,11 @@ class SliceAssembler
 {
 public:
   SliceAssembler(const std::vector<DicomFile>& files, const DicomVolumePlan& plan,
-    const DicomValues& values, FileDecoder& decoder, Scalar* voxels)
+    const DicomValues& values, const FileStart& start, Scalar* voxels)
     : Files(files)
     , Plan(plan)
-    , Decoder(decoder)
+    , Start(start)
+    , Decoder(files, start)
     , Voxels(voxels)
     , SliceSize(static_cast<std::size_t>(plan.geometry.dimensions[0]) *
         static_cast<std::size_t>(plan.geometry.dimensions[1]))
@@ -89,6 +94,40 @@ public:
     }
   }
 
+  // Decodes by several threads what has a place in the volume; each file is decoded once only if it
+  // has one slice.
+  void DecodeInParallel()
+  {
+    std::exception_ptr failure;
+    std::mutex failing;
+    const auto decode = [&](vtkIdType begin, vtkIdType end)
+    {
+      FileDecoder decoder(this->Files, this->Start);
+      for (auto source = static_cast<std::size_t>(begin); source < static_cast<std::size_t>(end);
+           ++source)
+      {
+        try
+        {
+          if (this->Places[source] != None)
+          {
+            this->Decode(source, decoder);
+          }
+        }
+        catch (...) // no thread but this one's caller may see it
+        {
+          const std::lock_guard<std::mutex> lock(failing);
+          failure = std::current_exception();
+          return;
+        }
+      }
+    };
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Plan.sources.size()), decode);
+    if (failure)
+    {
+      std::rethrow_exception(failure);
+    }
+  }
+
   // Returns the number of voxels without a measurement that have got a value, or nothing where
   // Scalar does not hold all values.
   std::optional<std::size_t> Assemble()
@@ -96,8 +135,8 @@ public:
     for (std::size_t slice = 0; slice < this->Plan.slices.size(); ++slice)
     {
       const DicomVolumeSlice& of = this->Plan.slices[slice];
-      const Scalar* below = this->Decode(of.below);
-      const Scalar* above = of.weight == 0.0 ? below : this->Decode(of.above);
+      const Scalar* below = this->Decode(of.below, this->Decoder);
+      const Scalar* above = of.weight == 0.0 ? below : this->Decode(of.above, this->Decoder);
       if (!below || !above)
       {
         return std::nullopt;
@@ -119,7 +158,7 @@ public:
 
 private:
   // Null where Scalar does not hold the values.
-  const Scalar* Decode(std::size_t source)
+  const Scalar* Decode(std::size_t source, FileDecoder& decoder)
   {
     if (this->Decoded[source])
     {
@@ -128,11 +167,14 @@ private:
     const DicomSource& of = this->Plan.sources[source];
     const double progress =
       static_cast<double>(source) / static_cast<double>(this->Plan.sources.size());
-    const DicomPixels& pixels = this->Decoder.Decode(of.file, progress);
+    const DicomPixels& pixels = decoder.Decode(of.file, progress);
     Scalar* values = this->RoomFor(source);
     const DicomConversion conversion =
       ConvertFrame(pixels, this->Files[of.file].image, of.frame, this->Marker, values);
-    this->HasPadding = this->HasPadding || conversion.hasPadding;
+    if (conversion.hasPadding)
+    {
+      this->HasPadding = true;
+    }
     this->Decoded[source] = conversion.isHeld ? values : nullptr;
     return this->Decoded[source];
   }
@@ -171,11 +213,12 @@ private:
 
   const std::vector<DicomFile>& Files;
   const DicomVolumePlan& Plan;
-  FileDecoder& Decoder;
+  const FileStart& Start;
+  FileDecoder Decoder;
   Scalar* Voxels;
   std::size_t SliceSize;
   std::optional<Scalar> Marker;
-  bool HasPadding = false;
+  std::atomic<bool> HasPadding{ false };
   std::vector<std::size_t> Places;
   std::vector<const Scalar*> Decoded;
   std::map<std::size_t, std::vector<Scalar>> Aside;
@@ -191,48 +234,61 @@ DicomValues ValuesOf(const std::vector<DicomFile>& files, const DicomVolumePlan&
   return SummarizeValues(slices);
 }
 
+bool HasOneSlicePerFile(const DicomVolumePlan& plan)
+{
+  std::set<std::size_t> seen;
+  return std::all_of(plan.sources.begin(), plan.sources.end(),
+    [&seen](const DicomSource& source) { return seen.insert(source.file).second; });
+}
+
 template <typename Scalar>
 std::optional<std::size_t> Assemble(const std::vector<DicomFile>& files,
-  const DicomVolumePlan& plan, const DicomValues& values, FileDecoder& decoder, void* voxels)
+  const DicomVolumePlan& plan, const DicomValues& values, const DicomDecoding& decoding,
+  void* voxels)
 {
   auto* const scalars = static_cast<Scalar*>(voxels);
-  return SliceAssembler<Scalar>(files, plan, values, decoder, scalars).Assemble();
+  SliceAssembler<Scalar> assembler(files, plan, values, decoding.start, scalars);
+  if (decoding.inParallel && HasOneSlicePerFile(plan))
+  {
+    assembler.DecodeInParallel();
+  }
+  return assembler.Assemble();
 }
 
 std::optional<std::size_t> AssembleAs(int scalarType, const std::vector<DicomFile>& files,
-  const DicomVolumePlan& plan, const DicomValues& values, FileDecoder& decoder, void* voxels)
+  const DicomVolumePlan& plan, const DicomValues& values, const DicomDecoding& decoding,
+  void* voxels)
 {
   switch (scalarType)
   {
     case VTK_UNSIGNED_CHAR:
-      return Assemble<std::uint8_t>(files, plan, values, decoder, voxels);
+      return Assemble<std::uint8_t>(files, plan, values, decoding, voxels);
     case VTK_SIGNED_CHAR:
-      return Assemble<std::int8_t>(files, plan, values, decoder, voxels);
+      return Assemble<std::int8_t>(files, plan, values, decoding, voxels);
     case VTK_UNSIGNED_SHORT:
-      return Assemble<std::uint16_t>(files, plan, values, decoder, voxels);
+      return Assemble<std::uint16_t>(files, plan, values, decoding, voxels);
     case VTK_SHORT:
-      return Assemble<std::int16_t>(files, plan, values, decoder, voxels);
+      return Assemble<std::int16_t>(files, plan, values, decoding, voxels);
     case VTK_UNSIGNED_INT:
-      return Assemble<std::uint32_t>(files, plan, values, decoder, voxels);
+      return Assemble<std::uint32_t>(files, plan, values, decoding, voxels);
     case VTK_INT:
-      return Assemble<std::int32_t>(files, plan, values, decoder, voxels);
+      return Assemble<std::int32_t>(files, plan, values, decoding, voxels);
     case VTK_FLOAT:
-      return Assemble<float>(files, plan, values, decoder, voxels);
+      return Assemble<float>(files, plan, values, decoding, voxels);
     default:
-      return Assemble<double>(files, plan, values, decoder, voxels);
+      return Assemble<double>(files, plan, values, decoding, voxels);
   }
 }
 
 }
 
 DicomVoxels ReadDicomVoxels(const std::vector<DicomFile>& files, const DicomVolumePlan& plan,
-  const VoxelRoom& room, const FileStart& start)
+  const VoxelRoom& room, const DicomDecoding& decoding)
 {
-  FileDecoder decoder(files, start);
   const DicomValues values = ValuesOf(files, plan);
   for (const int type : PossibleScalarTypes(values))
   {
-    const auto filled = AssembleAs(type, files, plan, values, decoder, room(type));
+    const auto filled = AssembleAs(type, files, plan, values, decoding, room(type));
     if (filled)
     {
       return { type, *filled };

@@ -33,10 +33,20 @@ using VoxelRoom = std::function<void*(int scalarType)>;
 using FileStart = std::function<void(std::size_t file, double progress)>;
 
 /**
- * Decodes and assembles the voxels. Throws DicomFileError and what `start` throws.
+ * How files are decoded.
+ */
+struct DicomDecoding
+{
+  FileStart start;
+  /// Whether several threads may decode at once, and call `start`.
+  bool inParallel = false;
+};
+
+/**
+ * Decodes and assembles the voxels. Throws DicomFileError and what the start of a file throws.
  */
 DicomVoxels ReadDicomVoxels(const std::vector<DicomFile>& files, const DicomVolumePlan& plan,
-  const VoxelRoom& room, const FileStart& start);
+  const VoxelRoom& room, const DicomDecoding& decoding);
 
 }
 

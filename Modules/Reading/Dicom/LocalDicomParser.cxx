@@ -61,7 +61,7 @@ DicomVoxelArray LocalDicomParser::ReadVoxels(
       throw ReadingCancelled();
     }
   };
-  const DicomVoxels read = ReadDicomVoxels(files, plan, room, start);
+  const DicomVoxels read = ReadDicomVoxels(files, plan, room, { start, false });
   return { voxels, read.filled };
 }
 

@@ -58,7 +58,7 @@ SharedMemory::SharedMemory(int handle)
 
 SharedMemory SharedMemory::OfParent()
 {
-  return SharedMemory(HandleForChild);
+  return SharedMemory(dup(HandleForChild)); // the next time it is there too
 }
 
 SharedMemory::~SharedMemory()
