@@ -1,5 +1,6 @@
 #include "DicomPixels.h"
 
+#include "DicomDataSet.h"
 #include "DicomStream.h"
 #include "DicomTags.h"
 #include "VolumeReadingError.h"
@@ -77,8 +78,12 @@ void TurnBytes(std::vector<char>& bytes, int bitsAllocated, bool isWords)
 // GDCM changes pixels of which not all bits are stored, and ends the process over some, so
 // uncompressed ones are taken from the file. They follow what it has read.
 DicomPixels TakeUncompressed(
-  DicomStream& stream, const gdcm::TransferSyntax& syntax, const DicomImage& image)
+  DicomStream& stream, const gdcm::FileMetaInformation& meta, const DicomImage& image)
 {
+  const gdcm::TransferSyntax& syntax = meta.GetDataSetTransferSyntax();
+  // GDCM takes GE's private syntax for Implicit VR Little Endian, of which only the pixels differ.
+  const bool isBigEndian = syntax == gdcm::TransferSyntax::ExplicitVRBigEndian ||
+    DicomDataSet(meta).Text(DicomTags::TransferSyntaxUID) == "1.2.840.113619.5.2";
   const DicomPixelElement element = stream.ReadPixelElement(syntax);
   const std::size_t expected = BytesOf(image, image.pixel);
   if (element.length < expected)
@@ -89,8 +94,7 @@ DicomPixels TakeUncompressed(
   // Words of two pixels may end with half of one.
   DicomPixels pixels{ image.pixel, std::vector<char>(expected + expected % 2) };
   stream.Read(pixels.bytes.data(), std::min<std::size_t>(pixels.bytes.size(), element.length));
-  if (syntax == gdcm::TransferSyntax::ExplicitVRBigEndian ||
-    syntax == gdcm::TransferSyntax::ImplicitVRBigEndianPrivateGE)
+  if (isBigEndian)
   {
     TurnBytes(pixels.bytes, image.pixel.bitsAllocated, element.isWords);
   }
@@ -151,13 +155,13 @@ DicomPixels ReadDicomPixels(const std::filesystem::path& path, const DicomImage&
   {
     throw VolumeReadingError("it is damaged");
   }
-  const gdcm::TransferSyntax& syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
+  const gdcm::FileMetaInformation& meta = reader.GetFile().GetHeader();
+  const gdcm::TransferSyntax& syntax = meta.GetDataSetTransferSyntax();
   if (syntax == gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian)
   {
     return Inflate(path, image);
   }
-  return syntax.IsEncapsulated() ? Decompress(path, image)
-                                 : TakeUncompressed(stream, syntax, image);
+  return syntax.IsEncapsulated() ? Decompress(path, image) : TakeUncompressed(stream, meta, image);
 }
 
 }
