@@ -1,6 +1,5 @@
 #include "DicomPixels.h"
 
-#include "DicomDataSet.h"
 #include "DicomStream.h"
 #include "DicomTags.h"
 #include "VolumeReadingError.h"
@@ -78,12 +77,11 @@ void TurnBytes(std::vector<char>& bytes, int bitsAllocated, bool isWords)
 // GDCM changes pixels of which not all bits are stored, and ends the process over some, so
 // uncompressed ones are taken from the file. They follow what it has read.
 DicomPixels TakeUncompressed(
-  DicomStream& stream, const gdcm::FileMetaInformation& meta, const DicomImage& image)
+  DicomStream& stream, const gdcm::TransferSyntax& syntax, const DicomImage& image)
 {
-  const gdcm::TransferSyntax& syntax = meta.GetDataSetTransferSyntax();
-  // GDCM takes GE's private syntax for Implicit VR Little Endian, of which only the pixels differ.
+  // GE's private syntax is Implicit VR Little Endian but for the pixels.
   const bool isBigEndian = syntax == gdcm::TransferSyntax::ExplicitVRBigEndian ||
-    DicomDataSet(meta).Text(DicomTags::TransferSyntaxUID) == "1.2.840.113619.5.2";
+    syntax == gdcm::TransferSyntax::ImplicitVRBigEndianPrivateGE;
   const DicomPixelElement element = stream.ReadPixelElement(syntax);
   const std::size_t expected = BytesOf(image, image.pixel);
   if (element.length < expected)
@@ -155,13 +153,13 @@ DicomPixels ReadDicomPixels(const std::filesystem::path& path, const DicomImage&
   {
     throw VolumeReadingError("it is damaged");
   }
-  const gdcm::FileMetaInformation& meta = reader.GetFile().GetHeader();
-  const gdcm::TransferSyntax& syntax = meta.GetDataSetTransferSyntax();
+  const gdcm::TransferSyntax& syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
   if (syntax == gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian)
   {
     return Inflate(path, image);
   }
-  return syntax.IsEncapsulated() ? Decompress(path, image) : TakeUncompressed(stream, meta, image);
+  return syntax.IsEncapsulated() ? Decompress(path, image)
+                                 : TakeUncompressed(stream, syntax, image);
 }
 
 }

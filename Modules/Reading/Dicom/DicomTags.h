@@ -13,7 +13,6 @@ namespace penumbra
 namespace DicomTags
 {
 
-inline const gdcm::Tag TransferSyntaxUID(0x0002, 0x0010);
 inline const gdcm::Tag DirectoryRecordSequence(0x0004, 0x1220);
 inline const gdcm::Tag ReferencedFileID(0x0004, 0x1500);
 inline const gdcm::Tag ImageType(0x0008, 0x0008);

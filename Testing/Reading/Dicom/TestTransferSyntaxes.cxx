@@ -134,3 +134,30 @@ TEST_CASE("A file of an unknown transfer syntax is refused")
     CHECK(Mentions(ReadDicom(path, parser).error, "unknown\\.dcm"));
   }
 }
+
+TEST_CASE("GE's private transfer syntax has the bytes of its pixels the other way round")
+{
+  const auto slices = Slices(2);
+  auto turned = slices;
+  for (auto& slice : turned)
+  {
+    slice.transferSyntax = Syntax::ImplicitVRLittleEndian;
+    const auto stored = slice.stored;
+    slice.stored = [stored](int i, int j, int k)
+    {
+      const long long value = stored(i, j, k);
+      return (value & 255) << 8 | value >> 8;
+    };
+  }
+  const TemporaryFolder folder;
+  for (const auto& slice : turned)
+  {
+    auto file = slice.File();
+    const std::string implicit = std::string("1.2.840.10008.1.2") + '\0';
+    const auto at = file.find(implicit);
+    REQUIRE(at != std::string::npos);
+    file.replace(at, implicit.size(), "1.2.840.113619.5.2");
+    folder.Write(slice.elements.at("InstanceNumber"), file);
+  }
+  CHECK(Difference(ReadDicom(folder.PathOf("")).volume, slices) == "");
+}
