@@ -140,6 +140,11 @@ private:
 
 bool MayBeDicom(const fs::path& path)
 {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) // a pipe would be waited for
+  {
+    return false;
+  }
   FileStart bytes{};
   std::ifstream file(path, std::ios::binary);
   file.read(bytes.data(), bytes.size());

@@ -30,7 +30,9 @@ DicomStream::Buffer::Buffer()
 
 bool DicomStream::Buffer::Open(const std::filesystem::path& path)
 {
-  if (!this->File.open(path, std::ios::in | std::ios::binary))
+  std::error_code ignored;
+  const bool isFile = std::filesystem::is_regular_file(path, ignored); // a pipe is waited for
+  if (!isFile || !this->File.open(path, std::ios::in | std::ios::binary))
   {
     return false;
   }

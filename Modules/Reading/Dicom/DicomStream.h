@@ -35,8 +35,8 @@ class DicomStream
 {
 public:
   /**
-   * Opens `path` for `reader`, which must not outlive this. Throws VolumeReadingError where it does
-   * not start as DICOM files do.
+   * Opens `path` for `reader`, which can read for as long as this lasts. Throws VolumeReadingError
+   * where it is no file or does not start as DICOM files do.
    */
   DicomStream(const std::filesystem::path& path, gdcm::Reader& reader);
 

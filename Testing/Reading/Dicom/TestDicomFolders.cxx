@@ -1,5 +1,6 @@
 #include "Catch.h"
 #include "ReadDicom.h"
+#include "VolumeFile.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -113,4 +114,16 @@ TEST_CASE("What is no file does not hang the reader")
   const auto command = "mkfifo '" + folder.PathOf("pipe") + "'";
   REQUIRE(std::system(command.c_str()) == 0);
   CheckSlices(folder.PathOf(""), slices);
+}
+
+TEST_CASE("A pipe is refused, not waited for")
+{
+  const auto parser = GENERATE(from_range(Parsers()));
+  const std::string name = GENERATE("pipe", "pipe.dcm", "DICOMDIR");
+  const TemporaryFolder folder;
+  const auto pipe = folder.PathOf(name);
+  REQUIRE(std::system(("mkfifo '" + pipe + "'").c_str()) == 0);
+  CHECK(Mentions(ReadDicom(pipe, parser).error, "cannot be opened"));
+  std::vector<std::string> warnings;
+  CHECK_THROWS_AS(penumbra::ReadVolumeFile(pipe, {}, warnings), penumbra::VolumeReadingError);
 }
