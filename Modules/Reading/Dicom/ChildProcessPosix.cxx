@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -37,18 +38,28 @@ constexpr timeval LongestSend = { 10, 0 };
     "the program " + program + " that parses it cannot be started: " + std::strerror(error));
 }
 
-// The two ends of a connection, of which other programs that are started meanwhile get none.
-struct SocketPair
+// The two ends of a connection, of which other programs that are started meanwhile get none. They
+// are closed with it unless taken.
+class SocketPair
 {
+public:
   explicit SocketPair(const std::string& program)
+    : SocketPair() // so that what is thrown here closes them
   {
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, this->Ends) != 0)
     {
       ThrowNotStarted(program, errno);
     }
-    for (const int end : this->Ends)
+    for (int& end : this->Ends)
     {
-      fcntl(end, F_SETFD, FD_CLOEXEC);
+      // Away from the standard ones, which may be free.
+      const int moved = fcntl(end, F_DUPFD_CLOEXEC, SharedMemory::HandleForChild + 1);
+      const int error = errno;
+      close(std::exchange(end, moved));
+      if (moved < 0)
+      {
+        ThrowNotStarted(program, error);
+      }
     }
     setsockopt(this->Ends[0], SOL_SOCKET, SO_SNDTIMEO, &LongestSend, sizeof(LongestSend));
 #ifdef SO_NOSIGPIPE
@@ -56,6 +67,28 @@ struct SocketPair
     setsockopt(this->Ends[0], SOL_SOCKET, SO_NOSIGPIPE, &yes, sizeof(yes));
 #endif
   }
+
+  ~SocketPair()
+  {
+    for (const int end : this->Ends)
+    {
+      close(end);
+    }
+  }
+  SocketPair(const SocketPair&) = delete;
+  SocketPair& operator=(const SocketPair&) = delete;
+
+  int GetChildEnd() const
+  {
+    return this->Ends[1];
+  }
+  int TakeOwnEnd()
+  {
+    return std::exchange(this->Ends[0], -1);
+  }
+
+private:
+  SocketPair() = default;
 
   int Ends[2] = { -1, -1 };
 };
@@ -87,8 +120,8 @@ private:
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const SharedMemory& memory)
 {
-  const SocketPair connection(command.front());
-  const FileActions actions(connection.Ends[1], memory.GetHandle());
+  SocketPair connection(command.front());
+  const FileActions actions(connection.GetChildEnd(), memory.GetHandle());
   std::vector<char*> arguments;
   for (const std::string& argument : command)
   {
@@ -98,13 +131,11 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const Shared
   pid_t process = -1;
   const int error =
     posix_spawn(&process, arguments.front(), actions.Get(), nullptr, arguments.data(), environ);
-  close(connection.Ends[1]);
   if (error != 0)
   {
-    close(connection.Ends[0]);
     ThrowNotStarted(command.front(), error);
   }
-  this->Connection = connection.Ends[0];
+  this->Connection = connection.TakeOwnEnd();
   this->Process = process;
 }
 

@@ -17,7 +17,7 @@ class SharedMemory
 {
 public:
   /**
-   * New memory of size 0. Throws std::system_error.
+   * New memory of size 0. Throws VolumeReadingError.
    */
   SharedMemory();
 
@@ -38,7 +38,7 @@ public:
   static constexpr int HandleForChild = 3;
 
   /**
-   * Makes it `size` bytes large, zeros at first. Throws std::bad_alloc.
+   * Makes it `size` bytes large and maps it. Throws std::bad_alloc.
    */
   void Resize(std::size_t size);
 

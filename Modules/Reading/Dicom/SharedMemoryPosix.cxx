@@ -1,11 +1,13 @@
 #include "SharedMemory.h"
 
+#include "VolumeReadingError.h"
+
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <limits>
 #include <new>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -19,11 +21,6 @@ namespace penumbra
 
 namespace
 {
-
-[[noreturn]] void ThrowError(const char* what)
-{
-  throw std::system_error(errno, std::generic_category(), what);
-}
 
 int MakeHandle()
 {
@@ -43,11 +40,16 @@ int MakeHandle()
 }
 
 SharedMemory::SharedMemory()
-  : Handle(MakeHandle())
 {
+  // Away from the standard files, in whose place the child gets others.
+  const int made = MakeHandle();
+  this->Handle = made < 0 ? -1 : fcntl(made, F_DUPFD_CLOEXEC, HandleForChild + 1);
+  const int error = errno;
+  close(made);
   if (this->Handle < 0)
   {
-    ThrowError("cannot make shared memory");
+    throw VolumeReadingError(
+      std::string("shared memory for its voxels cannot be made: ") + std::strerror(error));
   }
 }
 

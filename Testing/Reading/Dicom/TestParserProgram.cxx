@@ -6,8 +6,39 @@
 #include <chrono>
 #include <filesystem>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace
 {
+
+// While it lasts, the first files that are opened become standard input and output.
+class WithoutStandardFiles
+{
+public:
+  WithoutStandardFiles()
+  {
+    for (int file = 0; file < 2; ++file)
+    {
+      this->Kept[file] = fcntl(file, F_DUPFD_CLOEXEC, 3); // not in place of one closed before
+      close(file);
+    }
+  }
+
+  ~WithoutStandardFiles()
+  {
+    for (int file = 0; file < 2; ++file)
+    {
+      dup2(this->Kept[file], file);
+      close(this->Kept[file]);
+    }
+  }
+  WithoutStandardFiles(const WithoutStandardFiles&) = delete;
+  WithoutStandardFiles& operator=(const WithoutStandardFiles&) = delete;
+
+private:
+  int Kept[2];
+};
 
 // A program in place of the parser, as a shell script.
 std::string Script(const TemporaryFolder& folder, const std::string& commands)
@@ -89,4 +120,18 @@ TEST_CASE("A file that ends the parser program is left out and told")
   CHECK(reading.error == "");
   CHECK(Difference(reading.volume, slices) == "");
   CHECK(Mentions(reading.Warnings(), "broken\\.dcm"));
+}
+
+TEST_CASE("The parser program works for a process without standard input and output")
+{
+  const TemporaryFolder folder;
+  WriteSlices(folder, Slices(3));
+  vtkNew<vtkDICOMVolumeReader> reader;
+  reader->SetFileName(folder.PathOf("").c_str());
+  reader->SetParserProgram(PENUMBRA_DICOM_PARSER);
+  {
+    const WithoutStandardFiles without;
+    reader->Update();
+  }
+  CHECK(Difference(Update(reader).volume, Slices(3)) == "");
 }
