@@ -13,7 +13,6 @@
 #include <exception>
 #include <limits>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <set>
 
@@ -95,29 +94,31 @@ public:
   }
 
   // Decodes by several threads what has a place in the volume; each file is decoded once only if it
-  // has one slice.
-  void DecodeInParallel()
+  // has one slice. Returns false where Scalar does not hold all values.
+  bool DecodeInParallel()
   {
+    std::atomic<bool> isHeld{ true };
+    std::atomic<bool> hasFailed{ false };
     std::exception_ptr failure;
-    std::mutex failing;
     const auto decode = [&](vtkIdType begin, vtkIdType end)
     {
       FileDecoder decoder(this->Files, this->Start);
-      for (auto source = static_cast<std::size_t>(begin); source < static_cast<std::size_t>(end);
-           ++source)
+      for (auto source = static_cast<std::size_t>(begin);
+           source < static_cast<std::size_t>(end) && isHeld && !hasFailed; ++source)
       {
         try
         {
-          if (this->Places[source] != None)
+          if (this->Places[source] != None && !this->Decode(source, decoder))
           {
-            this->Decode(source, decoder);
+            isHeld = false;
           }
         }
         catch (...) // no thread but this one's caller may see it
         {
-          const std::lock_guard<std::mutex> lock(failing);
-          failure = std::current_exception();
-          return;
+          if (!hasFailed.exchange(true))
+          {
+            failure = std::current_exception();
+          }
         }
       }
     };
@@ -126,6 +127,7 @@ public:
     {
       std::rethrow_exception(failure);
     }
+    return isHeld;
   }
 
   // Returns the number of voxels without a measurement that have got a value, or nothing where
@@ -166,7 +168,7 @@ private:
     }
     const DicomSource& of = this->Plan.sources[source];
     const double progress =
-      static_cast<double>(source) / static_cast<double>(this->Plan.sources.size());
+      static_cast<double>(this->Started++) / static_cast<double>(this->Plan.sources.size());
     const DicomPixels& pixels = decoder.Decode(of.file, progress);
     Scalar* values = this->RoomFor(source);
     const DicomConversion conversion =
@@ -219,6 +221,7 @@ private:
   std::size_t SliceSize;
   std::optional<Scalar> Marker;
   std::atomic<bool> HasPadding{ false };
+  std::atomic<std::size_t> Started{ 0 };
   std::vector<std::size_t> Places;
   std::vector<const Scalar*> Decoded;
   std::map<std::size_t, std::vector<Scalar>> Aside;
@@ -248,11 +251,8 @@ std::optional<std::size_t> Assemble(const std::vector<DicomFile>& files,
 {
   auto* const scalars = static_cast<Scalar*>(voxels);
   SliceAssembler<Scalar> assembler(files, plan, values, decoding.start, scalars);
-  if (decoding.inParallel && HasOneSlicePerFile(plan))
-  {
-    assembler.DecodeInParallel();
-  }
-  return assembler.Assemble();
+  const bool inParallel = decoding.inParallel && HasOneSlicePerFile(plan);
+  return !inParallel || assembler.DecodeInParallel() ? assembler.Assemble() : std::nullopt;
 }
 
 std::optional<std::size_t> AssembleAs(int scalarType, const std::vector<DicomFile>& files,

@@ -3,8 +3,13 @@
 
 #include "vtkNew.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <thread>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -46,6 +51,26 @@ std::string Script(const TemporaryFolder& folder, const std::string& commands)
   const auto path = folder.Write("scripts/parser", "#!/bin/sh\n" + commands + "\n");
   std::filesystem::permissions(path, std::filesystem::perms::owner_all);
   return path;
+}
+
+// The numbers after each "progress" in messages of CBOR (RFC 8949), whatever else these hold.
+std::vector<double> ProgressIn(const std::string& messages)
+{
+  const std::string key = "progress";
+  std::vector<double> values;
+  for (auto at = messages.find(key); at != std::string::npos; at = messages.find(key, at + 1))
+  {
+    const auto number = messages.begin() + static_cast<std::ptrdiff_t>(at + key.size());
+    const int size = *number == '\xfb' ? 8 : 4;
+    REQUIRE((size == 8 || *number == '\xfa'));
+    std::string bytes(number + 1, number + 1 + size);
+    std::reverse(bytes.begin(), bytes.end());
+    float shortValue = 0.0F;
+    double value = 0.0;
+    std::memcpy(size == 8 ? static_cast<void*>(&value) : &shortValue, bytes.data(), bytes.size());
+    values.push_back(size == 8 ? value : shortValue);
+  }
+  return values;
 }
 
 std::string ErrorOf(const std::string& path, const std::string& program)
@@ -134,4 +159,27 @@ TEST_CASE("The parser program works for a process without standard input and out
     reader->Update();
   }
   CHECK(Difference(Update(reader).volume, Slices(3)) == "");
+}
+
+TEST_CASE("The parser program tells how many slices it has started, whichever they are")
+{
+  constexpr int count = 24;
+  const TemporaryFolder folder;
+  auto slices = Slices(count);
+  for (auto& slice : slices)
+  {
+    slice.columns = slice.rows = 256;
+  }
+  WriteSlices(folder, slices, "slices/");
+  const auto log = folder.PathOf("log");
+  const auto script = Script(folder, "\"" PENUMBRA_DICOM_PARSER "\" | tee '" + log + "'");
+  REQUIRE(ReadDicom(folder.PathOf("slices"), script).error == "");
+  std::ifstream file(log, std::ios::binary);
+  const auto told = ProgressIn({ std::istreambuf_iterator<char>(file), {} });
+  REQUIRE(told.size() == 2 * count); // headers, then voxels
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  for (int index = 0; index < count; ++index)
+  {
+    CHECK(told[count + index] <= (index + threads - 1.0) / count + 1e-6);
+  }
 }
