@@ -1,15 +1,13 @@
 #include "DicomParserProcess.h"
 
-#include "ChildProcess.h"
 #include "DicomMessages.h"
-#include "DicomVoxels.h"
 #include "SharedArray.h"
-#include "SharedMemory.h"
 #include "vtkDataArray.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
+#include <iterator>
 #include <utility>
 
 using nlohmann::json;
@@ -31,6 +29,9 @@ constexpr double SecondsBetweenLooks = 0.1;
 // For the program itself and what libraries keep.
 constexpr std::uint64_t ProgramMemory = std::uint64_t(1) << 30;
 
+// The address space of a thread: its stack, and what the C library sets aside for it.
+constexpr std::uint64_t ThreadMemory = std::uint64_t(1) << 28;
+
 // Parsing keeps the file's bytes, and copies of parts of them.
 constexpr std::uint64_t MemoryPerFileByte = 4;
 
@@ -39,8 +40,6 @@ constexpr std::uint64_t MemoryPerFileByte = 4;
 class Conversation
 {
 public:
-  using End = ConversationEnd;
-
   using Answer = std::function<void(const json&)>;
 
   Conversation(const DicomRequest& request, double secondsPerFile)
@@ -49,12 +48,12 @@ public:
   {
   }
 
-  End Hold(
+  ConversationEnd Hold(
     std::unique_ptr<ChildProcess>& child, const Answer& answer, const ReadingProgress& progress)
   {
     std::unique_ptr<ChildProcess> process = std::move(child);
-    const End end = this->Hold(*process, answer, progress);
-    if (end == End::Done)
+    const ConversationEnd end = this->Hold(*process, answer, progress);
+    if (end == ConversationEnd::Done)
     {
       child = std::move(process);
     }
@@ -65,11 +64,11 @@ public:
   std::optional<std::size_t> GetStarted() const { return this->Started; }
 
 private:
-  End Hold(ChildProcess& process, const Answer& answer, const ReadingProgress& progress)
+  ConversationEnd Hold(ChildProcess& process, const Answer& answer, const ReadingProgress& progress)
   {
     if (!process.Send(Encode(ToMessage(this->Request))))
     {
-      return End::Crashed;
+      return ConversationEnd::Crashed;
     }
     this->Begin(std::nullopt);
     std::string bytes;
@@ -78,7 +77,7 @@ private:
       const ChildProcess::Output output = process.Wait(SecondsBetweenLooks, bytes);
       if (!this->TakeAnswers(bytes, answer))
       {
-        return End::Crashed;
+        return ConversationEnd::Crashed;
       }
       if (!progress(this->Progress))
       {
@@ -86,16 +85,16 @@ private:
       }
       if (this->IsDone || output == ChildProcess::Output::Ended)
       {
-        return this->IsDone ? End::Done : End::Crashed;
+        return this->IsDone ? ConversationEnd::Done : ConversationEnd::Crashed;
       }
       if (Clock::now() > this->Deadline)
       {
-        return End::TooLong;
+        return ConversationEnd::TooLong;
       }
     }
   }
 
-  // Returns whether all of it makes sense: a parser that a file has broken may say anything.
+  // Returns whether all of it makes sense.
   bool TakeAnswers(std::string& bytes, const Answer& answer)
   {
     try
@@ -146,10 +145,10 @@ private:
   Clock::time_point Deadline;
 };
 
-std::string ReasonOf(Conversation::End end)
+std::string ReasonOf(ConversationEnd end)
 {
-  return end == Conversation::End::TooLong ? "the DICOM library does not come to an end with it"
-                                           : "the DICOM library fails on it; it is damaged";
+  return end == ConversationEnd::TooLong ? "the DICOM library does not come to an end with it"
+                                         : "the DICOM library fails on it; it is damaged";
 }
 
 std::uint64_t LargestFile(const std::vector<DicomFile>& files)
@@ -186,15 +185,23 @@ std::uint64_t MemoryForVoxels(const DicomRequest& request, const DicomParserLimi
 {
   constexpr std::uint64_t widestScalar = 8;
   const std::uint64_t voxels = widestScalar * NumberOfVoxels(request.plan.geometry, widestScalar);
-  return ProgramMemory +
-    std::min(limits.memory,
-      voxels + MemoryPerFileByte * LargestFile(request.files) +
-        MemoryPerFileByte * LargestDecoded(request.files));
+  const auto threads =
+    request.inParallel ? static_cast<std::uint64_t>(vtkSMPTools::GetEstimatedNumberOfThreads()) : 1;
+  const std::uint64_t file = LargestFile(request.files) + LargestDecoded(request.files);
+  return ProgramMemory + threads * ThreadMemory +
+    std::min(limits.memory, voxels + threads * MemoryPerFileByte * file);
 }
 
-bool IsPossible(const DicomImage& image)
+// A parser that a file has broken may say anything.
+DicomHeaderResult ResultFromMessage(const json& message)
 {
-  return image.columns > 0 && image.rows > 0 && !image.frames.empty();
+  if (!message.contains(DicomAnswer::Image))
+  {
+    return message.at(DicomAnswer::Failure).get<std::string>();
+  }
+  DicomImage image = ImageFromMessage(message.at(DicomAnswer::Image));
+  const bool isPossible = image.columns > 0 && image.rows > 0 && !image.frames.empty();
+  return isPossible ? DicomHeaderResult(std::move(image)) : DicomHeaderResult("it is damaged");
 }
 
 }
@@ -215,6 +222,15 @@ std::unique_ptr<ChildProcess>& DicomParserProcess::GetChild()
       std::vector<std::string>{ this->Program.u8string() }, this->Voxels);
   }
   return this->Child;
+}
+
+void DicomParserProcess::CountIfTooLong(ConversationEnd end, const fs::path& file)
+{
+  if (end == ConversationEnd::TooLong && ++this->TimesTooLong > 1)
+  {
+    throw VolumeReadingError(
+      "the DICOM library does not come to an end with its file " + file.u8string());
+  }
 }
 
 DicomParserProcess::VoxelAnswers DicomParserProcess::AskForVoxels(
@@ -241,57 +257,52 @@ DicomParserProcess::VoxelAnswers DicomParserProcess::AskForVoxels(
   return answers;
 }
 
+ConversationEnd DicomParserProcess::AskForHeaders(const std::vector<fs::path>& paths,
+  const ReadingProgress& progress, std::vector<DicomHeaderResult>& results)
+{
+  const auto first = static_cast<std::ptrdiff_t>(results.size());
+  DicomRequest request;
+  std::transform(paths.begin() + first, paths.end(), std::back_inserter(request.files),
+    [](const fs::path& path) {
+      return DicomFile{ path, {} };
+    });
+  request.memoryLimit = MemoryForHeaders(request, this->Limits);
+  const auto answer = [&results, &paths](const json& message)
+  {
+    if (results.size() < paths.size())
+    {
+      results.push_back(ResultFromMessage(message));
+    }
+  };
+  const auto restProgress = [&](double rest)
+  {
+    const auto done = static_cast<double>(first);
+    const auto all = static_cast<double>(paths.size());
+    return progress((done + rest * (all - done)) / all);
+  };
+  Conversation conversation(request, this->Limits.seconds);
+  const ConversationEnd end = conversation.Hold(this->GetChild(), answer, restProgress);
+  // Where not even the first file was started, the program itself is what fails.
+  if (!conversation.GetStarted())
+  {
+    throw VolumeReadingError("the program " + this->Program.u8string() + " that parses it " +
+      (end == ConversationEnd::TooLong ? "hangs" : "fails"));
+  }
+  return end;
+}
+
 std::vector<DicomHeaderResult> DicomParserProcess::ReadHeaders(
   const std::vector<fs::path>& paths, const ReadingProgress& progress)
 {
   std::vector<DicomHeaderResult> results;
-  int timesTooLong = 0;
   while (results.size() < paths.size())
   {
     const std::size_t first = results.size();
-    DicomRequest request;
-    for (std::size_t index = first; index < paths.size(); ++index)
+    const ConversationEnd end = this->AskForHeaders(paths, progress, results);
+    const bool isDone = end == ConversationEnd::Done && results.size() > first;
+    if (!isDone && results.size() < paths.size())
     {
-      request.files.push_back({ paths[index], {} });
-    }
-    request.memoryLimit = MemoryForHeaders(request, this->Limits);
-    const auto answer = [&results, &paths](const json& message)
-    {
-      if (results.size() == paths.size())
-      {
-        return;
-      }
-      if (!message.contains(DicomAnswer::Image))
-      {
-        results.push_back(message.at(DicomAnswer::Failure).get<std::string>());
-        return;
-      }
-      DicomImage image = ImageFromMessage(message.at(DicomAnswer::Image));
-      results.push_back(IsPossible(image) ? DicomHeaderResult(std::move(image))
-                                          : DicomHeaderResult("it is damaged"));
-    };
-    const auto all = static_cast<double>(paths.size());
-    const auto restProgress = [&](double rest)
-    {
-      const auto done = static_cast<double>(first);
-      return progress((done + rest * (all - done)) / all);
-    };
-    Conversation conversation(request, this->Limits.seconds);
-    const Conversation::End end = conversation.Hold(this->GetChild(), answer, restProgress);
-    timesTooLong += end == Conversation::End::TooLong ? 1 : 0;
-    if (timesTooLong > 1)
-    {
-      throw VolumeReadingError("the DICOM library does not come to an end with its file " +
-        paths[std::min(results.size(), paths.size() - 1)].u8string());
-    }
-    if (end != Conversation::End::Done && results.size() < paths.size())
-    {
-      // Where not even the first file was started, the program itself is what fails.
-      if (!conversation.GetStarted())
-      {
-        throw VolumeReadingError("the program " + this->Program.u8string() + " that parses it " +
-          (end == Conversation::End::TooLong ? "hangs" : "fails"));
-      }
+      this->CountIfTooLong(end, paths[results.size()]);
       results.push_back(ReasonOf(end));
     }
   }
@@ -319,9 +330,9 @@ std::vector<fs::path> DicomParserProcess::ReadDirectory(const fs::path& path)
     }
   };
   Conversation conversation(request, this->Limits.seconds);
-  const Conversation::End end =
+  const ConversationEnd end =
     conversation.Hold(this->GetChild(), answer, [](double) { return true; });
-  if (end != Conversation::End::Done || !failure.empty())
+  if (end != ConversationEnd::Done || !failure.empty())
   {
     throw VolumeReadingError(failure.empty() ? ReasonOf(end) : failure);
   }
@@ -335,13 +346,13 @@ DicomVoxelArray DicomParserProcess::ReadVoxels(
   request.task = DicomTask::Voxels;
   request.files = files;
   request.plan = plan;
-  request.memoryLimit = MemoryForVoxels(request, this->Limits);
   VoxelAnswers answers;
   // Which of several files at once a parser has ended with is not known, so that they are then
   // parsed one by one.
   for (const bool inParallel : { true, false })
   {
     request.inParallel = inParallel;
+    request.memoryLimit = MemoryForVoxels(request, this->Limits);
     answers = this->AskForVoxels(request, progress);
     if (answers.end == ConversationEnd::Done)
     {
@@ -363,6 +374,7 @@ DicomVoxelArray DicomParserProcess::ReadVoxels(
   {
     throw VolumeReadingError(answers.failure);
   }
+  this->CountIfTooLong(answers.end, files[*answers.file].path);
   throw DicomFileError(*answers.file, answers.failure);
 }
 

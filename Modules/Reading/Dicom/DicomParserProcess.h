@@ -69,11 +69,19 @@ private:
   };
   VoxelAnswers AskForVoxels(const DicomRequest& request, const ReadingProgress& progress);
 
+  // For those after `results`, to which what is answered is added.
+  ConversationEnd AskForHeaders(const std::vector<std::filesystem::path>& paths,
+    const ReadingProgress& progress, std::vector<DicomHeaderResult>& results);
+
+  // One endless file is left out; with the next one the user has waited for long enough.
+  void CountIfTooLong(ConversationEnd end, const std::filesystem::path& file);
+
   // Started if there is none.
   std::unique_ptr<ChildProcess>& GetChild();
 
   std::filesystem::path Program;
   DicomParserLimits Limits;
+  int TimesTooLong = 0;
   SharedMemory Voxels;
   // Kept from one task to the next, for it takes longer to start than many a task.
   std::unique_ptr<ChildProcess> Child;
