@@ -221,9 +221,10 @@ void DicomVolumeReading::LeaveOut(const DicomFileError& error)
 
 void DicomVolumeReading::TellFilled(const DicomVoxelArray& voxels)
 {
+  this->PaddingWarnings.clear();
   if (voxels.filled > 0)
   {
-    this->PlanWarnings.push_back(CountText(voxels.filled, "voxel") +
+    this->PaddingWarnings.push_back(CountText(voxels.filled, "voxel") +
       " without a measurement (Pixel Padding Value): these have the lowest value of the others");
   }
 }
@@ -250,7 +251,7 @@ std::vector<std::string> DicomVolumeReading::GetWarnings() const
 {
   std::vector<std::string> all;
   for (const auto* warnings : { &this->FindingWarnings, &this->SelectionWarnings,
-         &this->ReadingWarnings, &this->PlanWarnings })
+         &this->ReadingWarnings, &this->PlanWarnings, &this->PaddingWarnings })
   {
     std::transform(warnings->begin(), warnings->end(), std::back_inserter(all), OneLine);
   }

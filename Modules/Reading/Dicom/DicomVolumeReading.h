@@ -62,6 +62,7 @@ private:
   std::vector<std::string> SelectionWarnings;
   std::vector<std::string> PlanWarnings;
   std::vector<std::string> ReadingWarnings;
+  std::vector<std::string> PaddingWarnings;
 };
 
 }

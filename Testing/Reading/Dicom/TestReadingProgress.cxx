@@ -146,3 +146,25 @@ TEST_CASE("What was read stays read until something changes")
   CHECK(Difference(Update(reader).volume, Slices(3)) == "");
   CHECK(observer->Progress.empty());
 }
+
+TEST_CASE("What is read again is told once")
+{
+  const auto parser = GENERATE(from_range(Parsers()));
+  auto slices = Slices(3);
+  for (auto& slice : slices)
+  {
+    slice.elements["PixelPaddingValue"] = "0";
+    slice.stored = [](int i, int j, int) { return i == 0 ? 0 : 1000 + i + j; };
+  }
+  const TemporaryFolder folder;
+  WriteSlices(folder, slices);
+  vtkNew<vtkDICOMVolumeReader> reader;
+  reader->SetFileName(folder.PathOf("").c_str());
+  reader->SetParserProgram(parser.c_str());
+  const auto first = Update(reader);
+  CHECK(Mentions(first.Warnings(), "padding"));
+  reader->GetOutput()->ReleaseData();
+  const auto second = Update(reader);
+  CHECK(second.volume->GetNumberOfPoints() == first.volume->GetNumberOfPoints());
+  CHECK(second.warnings == first.warnings);
+}
