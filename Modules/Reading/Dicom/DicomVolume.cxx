@@ -62,8 +62,7 @@ Volume ReadDicomVolume(
   {
     warnings.push_back(reader->GetWarnings()->GetValue(index));
   }
-  const Volume volume = reader->GetOutput();
-  return volume;
+  return reader->GetOutput();
 }
 
 }

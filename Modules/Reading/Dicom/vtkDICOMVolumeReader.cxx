@@ -42,6 +42,25 @@ vtkTypeUInt64 HalfOfMemory()
   return static_cast<vtkTypeUInt64>(machine.GetTotalPhysicalMemory()) * bytesPerMiB / 2;
 }
 
+std::unique_ptr<DicomParser> MakeParser(const char* program, const DicomParserLimits& limits)
+{
+  if (!program || !*program)
+  {
+    return std::make_unique<LocalDicomParser>();
+  }
+  return std::make_unique<DicomParserProcess>(std::filesystem::u8path(program), limits);
+}
+
+std::vector<std::filesystem::path> PathsOf(vtkStringArray* names)
+{
+  std::vector<std::filesystem::path> paths;
+  for (vtkIdType index = 0; index < names->GetNumberOfValues(); ++index)
+  {
+    paths.push_back(std::filesystem::u8path(std::string(names->GetValue(index))));
+  }
+  return paths;
+}
+
 // Scalars are at least as large as what is stored.
 void CheckMemory(const DicomVolumeReading& reading, vtkTypeUInt64 limit)
 {
@@ -142,30 +161,16 @@ void vtkDICOMVolumeReader::FindVolume()
 {
   Internals& state = *this->State;
   const vtkTypeUInt64 memory = this->MemoryLimit > 0 ? this->MemoryLimit : HalfOfMemory();
-  if (this->ParserProgram && *this->ParserProgram)
-  {
-    state.Parser = std::make_unique<DicomParserProcess>(
-      std::filesystem::u8path(this->ParserProgram), DicomParserLimits{ memory, this->TimeLimit });
-  }
-  else
-  {
-    state.Parser = std::make_unique<LocalDicomParser>();
-  }
+  state.Parser = MakeParser(this->ParserProgram, { memory, this->TimeLimit });
   const auto progress = [this](double part)
   {
     this->UpdateProgress(part);
     return !this->GetAbortExecute();
   };
-  state.Reading.reset();
-  DicomVolumeReading reading;
+  DicomVolumeReading& reading = state.Reading.emplace();
   if (this->FileNames && this->FileNames->GetNumberOfValues() > 0)
   {
-    std::vector<std::filesystem::path> paths;
-    for (vtkIdType index = 0; index < this->FileNames->GetNumberOfValues(); ++index)
-    {
-      paths.push_back(std::filesystem::u8path(std::string(this->FileNames->GetValue(index))));
-    }
-    reading.FindSeries(paths, *state.Parser, progress);
+    reading.FindSeries(PathsOf(this->FileNames), *state.Parser, progress);
   }
   else if (this->FileName && *this->FileName)
   {
@@ -175,9 +180,8 @@ void vtkDICOMVolumeReader::FindVolume()
   {
     throw VolumeReadingError("a file, a folder or a list of files is needed");
   }
-  state.Reading = std::move(reading);
-  state.Reading->SelectSeries(this->Series ? this->Series : "");
-  CheckMemory(*state.Reading, memory);
+  reading.SelectSeries(this->Series ? this->Series : "");
+  CheckMemory(reading, memory);
 }
 
 //------------------------------------------------------------------------------
@@ -197,6 +201,7 @@ int vtkDICOMVolumeReader::RequestInformation(
   else
   {
     this->State->Reading.reset();
+    this->State->Parser.reset();
   }
   this->SetProgressShiftScale(HeadersPart, 1.0 - HeadersPart);
   const int extent[6] = { 0, static_cast<int>(geometry.dimensions[0]) - 1, 0,
@@ -251,7 +256,6 @@ int vtkDICOMVolumeReader::RequestData(
   voxels->SetName("DICOM");
   volume->GetPointData()->SetScalars(voxels);
   this->DescribeVolume(volume);
-  this->UpdateProgress(1.0);
   return 1;
 }
 
@@ -346,4 +350,5 @@ void vtkDICOMVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "NumberOfSeries: " << this->GetNumberOfSeries() << "\n";
   os << indent << "NumberOfWarnings: " << this->State->Warnings->GetNumberOfValues() << "\n";
+  os << indent << "ErrorMessage: " << this->GetErrorMessage() << "\n";
 }

@@ -119,7 +119,8 @@ public:
   ///@{
   /**
    * The series found by UpdateInformation, the one with the most voxels first. A name is the Series
-   * Instance UID, or where there is none "without-uid-1" and so on.
+   * Instance UID, or where there is none "without-uid-1" and so on. Where there is no such series,
+   * texts are null and numbers 0.
    */
   int GetNumberOfSeries();
   const char* GetSeriesName(int series);
