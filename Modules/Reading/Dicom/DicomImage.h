@@ -26,11 +26,6 @@ struct DicomRescale
 {
   double slope = 1.0;
   double intercept = 0.0;
-
-  bool operator==(const DicomRescale& other) const
-  {
-    return this->slope == other.slope && this->intercept == other.intercept;
-  }
 };
 
 /**

@@ -160,6 +160,7 @@ void RefuseTooUneven(const std::vector<PlacedSlice>& slices, std::size_t count)
 
 std::string MissingText(const std::vector<PlacedSlice>& slices, double spacing, std::size_t missing)
 {
+  constexpr std::size_t mostTold = 3;
   std::size_t holes = 0;
   std::string where;
   for (std::size_t index = 1; index < slices.size(); ++index)
@@ -169,7 +170,6 @@ std::string MissingText(const std::vector<PlacedSlice>& slices, double spacing, 
     {
       continue;
     }
-    constexpr std::size_t mostTold = 3;
     if (++holes <= mostTold)
     {
       where += (where.empty() ? "" : ", ") + NumberText(gap) + " mm after slice " +
@@ -177,7 +177,7 @@ std::string MissingText(const std::vector<PlacedSlice>& slices, double spacing, 
     }
   }
   return CountText(missing, "slice") + " missing in " + CountText(holes, "gap") + " (" + where +
-    (holes > 3 ? ", ..." : "") + ") of slices " + NumberText(spacing) +
+    (holes > mostTold ? ", ..." : "") + ") of slices " + NumberText(spacing) +
     " mm apart; filled by interpolation";
 }
 
