@@ -64,10 +64,7 @@ void RefuseOtherPixels(const DicomDataSet& data, const DicomPixelFormat& pixel)
   {
     throw VolumeReadingError("its pixels have one bit: it is a " + KindOf(data));
   }
-  const bool isWhole =
-    pixel.bitsAllocated == 8 || pixel.bitsAllocated == 16 || pixel.bitsAllocated == 32;
-  if (!isWhole || pixel.bitsStored < 1 || pixel.bitsStored > pixel.bitsAllocated ||
-    pixel.highBit >= pixel.bitsAllocated || pixel.highBit < pixel.bitsStored - 1)
+  if (!pixel.IsUsable())
   {
     throw VolumeReadingError("its pixels have " + std::to_string(pixel.bitsStored) + " of " +
       std::to_string(pixel.bitsAllocated) + " bits up to bit " + std::to_string(pixel.highBit) +
@@ -213,7 +210,8 @@ DicomImage ReadDicomHeader(const std::filesystem::path& path)
   DicomStream stream(path, reader);
   const bool isRead = reader.ReadUpToTag(DicomTags::PixelData, { DicomTags::PixelData });
   const gdcm::TransferSyntax& syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
-  if (syntax != gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian)
+  const bool isDeflated = syntax == gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian;
+  if (!isDeflated)
   {
     stream.ThrowIfCutShort();
   }
@@ -222,7 +220,7 @@ DicomImage ReadDicomHeader(const std::filesystem::path& path)
     throw VolumeReadingError("it is no DICOM file or is damaged");
   }
   const DicomImage image = ReadImage(DicomDataSet(reader.GetFile().GetDataSet()), stream.GetSize());
-  if (!syntax.IsEncapsulated() && syntax != gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian)
+  if (!syntax.IsEncapsulated() && !isDeflated)
   {
     stream.ReadPixelElement(syntax);
   }

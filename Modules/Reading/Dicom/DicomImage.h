@@ -59,6 +59,14 @@ struct DicomPixelFormat
   int highBit = 0;
   bool isSigned = false;
 
+  /// Whether it is of 8, 16 or 32 bits and what is stored lies within them.
+  bool IsUsable() const
+  {
+    return (this->bitsAllocated == 8 || this->bitsAllocated == 16 || this->bitsAllocated == 32) &&
+      this->bitsStored >= 1 && this->bitsStored - 1 <= this->highBit &&
+      this->highBit < this->bitsAllocated;
+  }
+
   bool operator==(const DicomPixelFormat& other) const
   {
     return this->bitsAllocated == other.bitsAllocated && this->bitsStored == other.bitsStored &&

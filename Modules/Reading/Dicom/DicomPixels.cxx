@@ -128,8 +128,13 @@ DicomPixels Decompress(const std::filesystem::path& path, const DicomImage& imag
   const gdcm::Image& decoded = reader.GetImage();
   CheckSize(decoded, image);
   const DicomPixelFormat format = FormatOf(decoded.GetPixelFormat());
+  if (!format.IsUsable())
+  {
+    throw VolumeReadingError("its pixels decode to " + std::to_string(format.bitsStored) + " of " +
+      std::to_string(format.bitsAllocated) + " bits, which are not read");
+  }
   const std::size_t expected = BytesOf(image, format);
-  if (format.bitsAllocated % 8 != 0 || decoded.GetBufferLength() != expected)
+  if (decoded.GetBufferLength() != expected)
   {
     throw VolumeReadingError("its decoded pixels have " +
       std::to_string(decoded.GetBufferLength()) + " bytes; " + std::to_string(expected) +
