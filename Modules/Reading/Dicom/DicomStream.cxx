@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <string>
 
 namespace penumbra
@@ -20,6 +21,18 @@ constexpr std::size_t WindowSize = 65536;
 
 // At its end, a whole file is asked for one more tag and gives nothing.
 constexpr std::streamsize LargestTagRead = 4;
+
+// Its flags are one for all threads.
+void SilenceGDCM()
+{
+  static std::once_flag once;
+  std::call_once(once,
+    []
+    {
+      gdcm::Trace::WarningOff();
+      gdcm::Trace::ErrorOff();
+    });
+}
 
 }
 
@@ -118,8 +131,7 @@ DicomStream::DicomStream(const std::filesystem::path& path, gdcm::Reader& reader
   {
     throw VolumeReadingError("it does not start as DICOM files do");
   }
-  gdcm::Trace::WarningOff();
-  gdcm::Trace::ErrorOff();
+  SilenceGDCM();
   reader.SetStream(this->Stream);
 }
 
