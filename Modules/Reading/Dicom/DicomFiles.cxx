@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <system_error>
 
@@ -25,16 +24,16 @@ constexpr std::array<char, 4> Magic{ 'D', 'I', 'C', 'M' };
 // A tag and a length.
 constexpr std::size_t ShortestElement = 8;
 
-using FileStart = std::array<char, PreambleBytes + Magic.size() + ShortestElement>;
+using FirstBytes = std::array<char, PreambleBytes + Magic.size() + ShortestElement>;
 
-unsigned int ByteAt(const FileStart& bytes, std::size_t index)
+unsigned int ByteAt(const FirstBytes& bytes, std::size_t index)
 {
   return static_cast<unsigned char>(bytes[index]);
 }
 
 // Files without preamble start with an element of a low group, in either byte order: its tag, and
 // a type of two capital letters or a length of less than 64 KiB.
-bool StartsWithElement(const FileStart& bytes)
+bool StartsWithElement(const FirstBytes& bytes)
 {
   const auto isGroup = [](unsigned int group)
   { return group == 0x0002 || group == 0x0008 || group == 0x0010; };
@@ -72,15 +71,15 @@ public:
     {
       return; // a link that leads nowhere, or back
     }
-    const fs::directory_iterator entries(folder, error);
-    if (error)
+    const bool isFirst = this->Folders.size() == 1;
+    fs::directory_iterator entry(folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error))
     {
-      this->Unreadable = this->Folders.size() == 1 ? error : this->Unreadable;
-      return;
+      this->Look(*entry);
     }
-    for (const fs::directory_entry& entry : entries)
+    if (isFirst)
     {
-      this->Look(entry);
+      this->Unreadable = error;
     }
   }
 
@@ -145,7 +144,7 @@ bool MayBeDicom(const fs::path& path)
   {
     return false;
   }
-  FileStart bytes{};
+  FirstBytes bytes{};
   std::ifstream file(path, std::ios::binary);
   file.read(bytes.data(), bytes.size());
   const auto count = static_cast<std::size_t>(file.gcount());
