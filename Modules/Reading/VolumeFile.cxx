@@ -43,6 +43,30 @@ void ExpectContent(const std::filesystem::path& path, FileContent expected)
   }
 }
 
+// Formats whose files say of themselves what they are.
+struct NamedFormat
+{
+  std::vector<std::string> extensions;
+  FileContent content;
+  std::function<Volume(const std::filesystem::path&, Warnings&)> read;
+};
+
+const std::vector<NamedFormat>& NamedFormats()
+{
+  static const std::vector<NamedFormat> formats = {
+    { { ".mhd", ".mha" }, FileContent::MetaImage, ReadMetaImageVolume },
+    { { ".nrrd", ".nhdr" }, FileContent::Nrrd, ReadNrrdVolume },
+    { { ".nii.gz" }, FileContent::Gzip,
+      [](const std::filesystem::path& path, Warnings& warnings)
+      { return ReadNiftiVolume(path, true, warnings); } },
+    { { ".nii" }, FileContent::Nifti,
+      [](const std::filesystem::path& path, Warnings& warnings)
+      { return ReadNiftiVolume(path, false, warnings); } },
+    { { ".vti" }, FileContent::Xml, ReadXmlImageVolume },
+  };
+  return formats;
+}
+
 Volume ReadByName(
   const std::filesystem::path& path, const VolumeReadingOptions& options, Warnings& warnings)
 {
@@ -65,30 +89,13 @@ Volume ReadByName(
     }
     return ReadRawVolume(path, *options.raw, warnings);
   }
-  if (EndsWithAny(name, { ".mhd", ".mha" }))
+  for (const NamedFormat& format : NamedFormats())
   {
-    ExpectContent(path, FileContent::MetaImage);
-    return ReadMetaImageVolume(path, warnings);
-  }
-  if (EndsWithAny(name, { ".nrrd", ".nhdr" }))
-  {
-    ExpectContent(path, FileContent::Nrrd);
-    return ReadNrrdVolume(path, warnings);
-  }
-  if (EndsWith(name, ".nii.gz"))
-  {
-    ExpectContent(path, FileContent::Gzip);
-    return ReadNiftiVolume(path, true, warnings);
-  }
-  if (EndsWith(name, ".nii"))
-  {
-    ExpectContent(path, FileContent::Nifti);
-    return ReadNiftiVolume(path, false, warnings);
-  }
-  if (EndsWith(name, ".vti"))
-  {
-    ExpectContent(path, FileContent::Xml);
-    return ReadXmlImageVolume(path, warnings);
+    if (EndsWithAny(name, format.extensions))
+    {
+      ExpectContent(path, format.content);
+      return format.read(path, warnings);
+    }
   }
   if (EndsWithAny(name, { ".dcm", ".dicom" }) || MayBeDicom(path))
   {
