@@ -46,8 +46,10 @@ inline constexpr const char* Start = "start";
 inline constexpr const char* Progress = "progress";
 /// The image of the file that was started.
 inline constexpr const char* Image = "image";
-/// Why the file that was started cannot be read.
+/// Why the file that was started cannot be read; of voxels, why there are none.
 inline constexpr const char* Failure = "failure";
+/// The index of the file for which there are no voxels, if it is for one.
+inline constexpr const char* FailedFile = "failedFile";
 /// Paths.
 inline constexpr const char* Files = "files";
 /// The scalar type of the voxels, as VTK's constant.

@@ -242,16 +242,25 @@ DicomParserProcess::VoxelAnswers DicomParserProcess::AskForVoxels(
     if (message.contains(DicomAnswer::Failure))
     {
       message.at(DicomAnswer::Failure).get_to(answers.failure);
+      if (message.contains(DicomAnswer::FailedFile))
+      {
+        answers.file = message.at(DicomAnswer::FailedFile).get<std::size_t>();
+      }
       return;
     }
     answers.read = { message.at(DicomAnswer::ScalarType), message.at(DicomAnswer::Filled) };
   };
   Conversation conversation(request, this->Limits.seconds);
   answers.end = conversation.Hold(this->GetChild(), answer, progress);
-  answers.file = conversation.GetStarted();
+  const bool saysNothing = !answers.read && answers.failure.empty();
+  if (answers.end == ConversationEnd::Done && saysNothing)
+  {
+    answers.end = ConversationEnd::Crashed;
+  }
   if (answers.end != ConversationEnd::Done)
   {
     answers.read.reset();
+    answers.file = conversation.GetStarted();
     answers.failure = ReasonOf(answers.end);
   }
   return answers;

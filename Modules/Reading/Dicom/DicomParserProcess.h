@@ -64,7 +64,7 @@ private:
     ConversationEnd end = ConversationEnd::Done;
     std::optional<DicomVoxels> read;
     std::string failure;
-    /// The one that was parsed last.
+    /// Which one fails, unless it is none of them.
     std::optional<std::size_t> file;
   };
   VoxelAnswers AskForVoxels(const DicomRequest& request, const ReadingProgress& progress);

@@ -100,8 +100,7 @@ void SendVoxels(const DicomRequest& request)
   }
   catch (const DicomFileError& error)
   {
-    start(error.File, 1.0); // others may have been started since
-    Send({ { DicomAnswer::Failure, error.what() } });
+    Send({ { DicomAnswer::Failure, error.what() }, { DicomAnswer::FailedFile, error.File } });
   }
   catch (const std::exception& error)
   {

@@ -66,6 +66,29 @@ TEST_CASE("Progress rises to 1 where the last slice needs a larger scalar type")
   CheckProgress(slices);
 }
 
+TEST_CASE("Progress is 1 at the end alone where a file is left out")
+{
+  const auto parser = GENERATE(from_range(Parsers()));
+  auto slices = Slices(25);
+  for (auto& slice : slices)
+  {
+    slice.columns = slice.rows = 16;
+  }
+  slices[12].transferSyntax = gdcm::TransferSyntax::JPEG2000Lossless;
+  const TemporaryFolder folder;
+  WriteSlices(folder, slices);
+  auto file = slices[12].File();
+  file.resize(file.size() - 100);
+  folder.Write("12.dcm", file);
+  vtkNew<vtkDICOMVolumeReader> reader;
+  reader->SetFileName(folder.PathOf("").c_str());
+  reader->SetParserProgram(parser.c_str());
+  vtkNew<Observer> observer;
+  reader->AddObserver(vtkCommand::ProgressEvent, observer);
+  CHECK(Mentions(Update(reader).Warnings(), "12\\.dcm is left out"));
+  CHECK(std::count(observer->Progress.begin(), observer->Progress.end(), 1.0) == 1);
+}
+
 TEST_CASE("An observer of the progress can end the reading")
 {
   const auto parser = GENERATE(from_range(Parsers()));
