@@ -86,7 +86,7 @@ std::string DicomDataSet::Text(const gdcm::Tag& tag) const
 std::vector<double> DicomDataSet::Decimals(const gdcm::Tag& tag) const
 {
   std::vector<double> numbers;
-  std::istringstream list(this->Text(tag));
+  std::istringstream list(this->Bytes(tag)); // the text may be shortened
   for (std::string entry; std::getline(list, entry, '\\');)
   {
     const auto number = ToNumber(Trimmed(entry));

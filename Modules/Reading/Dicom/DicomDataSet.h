@@ -32,7 +32,7 @@ public:
 
   bool Has(const gdcm::Tag& tag) const;
 
-  /// In UTF-8, one line, without the blanks and NULs around it.
+  /// In UTF-8, one line of a length that can be read, without the blanks and NULs around it.
   std::string Text(const gdcm::Tag& tag) const;
 
   /// Of a decimal or integer string (DS, IS): its finite numbers, or none where one is not.

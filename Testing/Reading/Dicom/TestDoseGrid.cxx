@@ -4,7 +4,7 @@
 namespace
 {
 
-// Four planes of a dose, 5 mm apart.
+// The planes of a dose.
 DicomSample Dose(const std::string& offsets)
 {
   auto dose = Slice(0);
@@ -15,7 +15,7 @@ DicomSample Dose(const std::string& offsets)
   dose.elements["FrameIncrementPointer"] = "3004,000c";
   dose.elements["GridFrameOffsetVector"] = offsets;
   dose.elements["SliceThickness"] = "";
-  dose.frames = 4;
+  dose.frames = static_cast<int>(Numbers(offsets).size());
   dose.bitsAllocated = dose.bitsStored = 32;
   dose.highBit = 31;
   dose.stored = [](int i, int j, int k) { return 70000LL * (k + 1) * (k + 1) + i + 10 * j; };
@@ -25,7 +25,7 @@ DicomSample Dose(const std::string& offsets)
 DicomSlices Planes(const DicomSample& dose, const std::vector<double>& heights)
 {
   DicomSlices planes;
-  for (int k = 0; k < 4; ++k)
+  for (int k = 0; k < dose.frames; ++k)
   {
     planes.push_back(dose);
     SetPosition(planes.back(), { -10, 20, heights[k] });
@@ -76,4 +76,18 @@ TEST_CASE("Unevenly spaced planes of a dose are told")
   CHECK(reading.error == "");
   CHECK(reading.volume->GetDimensions()[2] == 6);
   CHECK(Mentions(reading.Warnings(), "\\b2\\b"));
+}
+
+TEST_CASE("A dose may have hundreds of planes")
+{
+  std::vector<double> offsets;
+  std::vector<double> heights;
+  for (int plane = 0; plane < 300; ++plane)
+  {
+    offsets.push_back(2.5 * plane);
+    heights.push_back(30 + offsets.back());
+  }
+  auto dose = Dose(Text(offsets));
+  dose.stored = [](int i, int j, int k) { return 70000LL * k + i + 10 * j; };
+  CheckDose(dose, heights);
 }
