@@ -142,3 +142,22 @@ TEST_CASE("An empty series UID is none")
   }
   CHECK(Difference(ReadSlices(slices).volume, slices) == "");
 }
+
+TEST_CASE("A long description is shortened between two characters")
+{
+  auto slices = Slices(2);
+  std::string description = "x";
+  for (int letter = 0; letter < 600; ++letter)
+  {
+    description += "\u00e4";
+  }
+  slices[0].elements["SeriesDescription"] = description;
+  slices[1].elements["SeriesDescription"] = description;
+  const TemporaryFolder folder;
+  WriteSlices(folder, slices);
+  vtkNew<vtkDICOMVolumeReader> reader;
+  reader->SetFileName(folder.PathOf("").c_str());
+  Update(reader);
+  const std::string described = reader->GetSeriesDescription(0);
+  CHECK(described == description.substr(0, 999) + "...");
+}
