@@ -4,23 +4,24 @@
 #include "SheetLayout.h"
 
 #include <vtkDataArray.h>
-#include <vtkErrorCode.h>
 #include <vtkImageBlend.h>
 #include <vtkImageData.h>
 #include <vtkImageResize.h>
 #include <vtkImageSincInterpolator.h>
 #include <vtkNew.h>
-#include <vtkPNGReader.h>
 #include <vtkPointData.h>
+#include <vtk_png.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 namespace penumbra
 {
 namespace
 {
-constexpr int LargestPicture = 16384;
+constexpr unsigned int LargestPicture = 16384;
 
 using Level3 = std::array<unsigned char, 3>;
 constexpr Level3 Paper{ 247, 246, 243 };
@@ -39,35 +40,74 @@ vtkSmartPointer<vtkImageData> MakeUniform(const std::array<int, 2>& size, const 
   return image;
 }
 
-vtkSmartPointer<vtkImageData> ReadPng(const std::filesystem::path& file)
+std::string ReadBytes(const std::filesystem::path& file)
 {
-  const std::string name = file.u8string();
-  vtkNew<vtkPNGReader> reader;
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error) || !reader->CanReadFile(name.c_str()))
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || !std::filesystem::is_regular_file(file, error))
   {
-    throw InputError(name + " cannot be read as a picture; accepted: a PNG file");
+    throw InputError(file.u8string() + " cannot be read; accepted: a PNG file");
   }
-  reader->SetFileName(name.c_str());
-  reader->UpdateInformation();
-  const int* extent = reader->GetDataExtent();
-  if (reader->GetDataScalarType() != VTK_UNSIGNED_CHAR)
-  {
-    throw InputError(name + " has 16 bits per channel; accepted: 8");
-  }
-  if (extent[1] >= LargestPicture || extent[3] >= LargestPicture)
-  {
-    throw InputError(name + " has " + std::to_string(extent[1] + 1) + " x " +
-      std::to_string(extent[3] + 1) + " pixels; accepted: at most " +
-      std::to_string(LargestPicture) + " each way");
-  }
-  reader->Update();
-  if (reader->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    throw InputError(name + " is damaged; accepted: a whole PNG file");
-  }
-  return reader->GetOutput();
+  return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
+
+// vtkPNGReader ends the program where a file is damaged.
+class Decoder
+{
+public:
+  explicit Decoder(const std::filesystem::path& file)
+    : Name(file.u8string())
+    , Bytes(ReadBytes(file))
+  {
+    this->Png.version = PNG_IMAGE_VERSION;
+  }
+
+  ~Decoder() { png_image_free(&this->Png); }
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+
+  vtkSmartPointer<vtkImageData> Decode()
+  {
+    this->Check(
+      png_image_begin_read_from_memory(&this->Png, this->Bytes.data(), this->Bytes.size()));
+    this->RefuseTooLarge();
+    this->Png.format = this->Png.format & PNG_FORMAT_FLAG_ALPHA ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+    this->Png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+    auto picture = vtkSmartPointer<vtkImageData>::New();
+    picture->SetDimensions(
+      static_cast<int>(this->Png.width), static_cast<int>(this->Png.height), 1);
+    picture->AllocateScalars(
+      VTK_UNSIGNED_CHAR, static_cast<int>(PNG_IMAGE_SAMPLE_CHANNELS(this->Png.format)));
+    const auto rowLength = static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(this->Png));
+    const png_int_32 bottomRowFirst = -rowLength;
+    this->Check(png_image_finish_read(
+      &this->Png, nullptr, picture->GetScalarPointer(), bottomRowFirst, nullptr));
+    return picture;
+  }
+
+private:
+  void Check(int succeeded) const
+  {
+    if (!succeeded)
+    {
+      throw InputError(this->Name + " is no whole PNG file: " + this->Png.message);
+    }
+  }
+
+  void RefuseTooLarge() const
+  {
+    if (this->Png.width > LargestPicture || this->Png.height > LargestPicture)
+    {
+      throw InputError(this->Name + " has " + std::to_string(this->Png.width) + " x " +
+        std::to_string(this->Png.height) + " pixels; accepted: at most " +
+        std::to_string(LargestPicture) + " each way");
+    }
+  }
+
+  std::string Name;
+  std::string Bytes;
+  png_image Png{};
+};
 
 vtkSmartPointer<vtkImageData> FitInto(
   const std::array<int, 2>& cellSize, const vtkSmartPointer<vtkImageData>& picture)
@@ -122,7 +162,7 @@ private:
 
 void AddCell(Sheet& sheet, const PlacedCell& cell, const std::array<int, 2>& cellSize)
 {
-  const auto picture = FitInto(cellSize, ReadPng(cell.Picture));
+  const auto picture = FitInto(cellSize, Decoder(cell.Picture).Decode());
   const int* size = picture->GetDimensions();
   const bool isTransparent = picture->GetNumberOfScalarComponents() % 2 == 0;
   if (isTransparent || size[0] < cellSize[0] || size[1] < cellSize[1])

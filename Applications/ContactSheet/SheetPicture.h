@@ -18,7 +18,7 @@ namespace penumbra
 /**
  * The sheet in 8-bit RGB, bottom row first. Pictures that are larger than a cell are scaled down to
  * fit into it, smaller ones stay as they are, in its middle.
- * @throw InputError where a picture is no PNG of 8 bits per channel, or the sheet would be too
+ * @throw InputError where a picture is no whole PNG file, or the sheet would be too
  * large.
  */
 vtkSmartPointer<vtkImageData> MakeSheetPicture(const SheetDescription& sheet);

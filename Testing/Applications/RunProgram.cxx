@@ -8,12 +8,12 @@
 
 namespace penumbra
 {
-ProgramResult RunPenumbraRender(const std::vector<std::string>& arguments)
+ProgramResult RunProgram(const std::vector<std::string>& command)
 {
-  std::vector<const char*> words = { PENUMBRA_RENDER };
-  for (const std::string& argument : arguments)
+  std::vector<const char*> words;
+  for (const std::string& word : command)
   {
-    words.push_back(argument.c_str());
+    words.push_back(word.c_str());
   }
   words.push_back(nullptr);
   const std::unique_ptr<vtksysProcess, decltype(&vtksysProcess_Delete)> process(

@@ -20,6 +20,9 @@ struct ProgramResult
   std::string error;
 };
 
+/// The first word of the command is the program.
+ProgramResult RunProgram(const std::vector<std::string>& command);
+
 ProgramResult RunPenumbraRender(const std::vector<std::string>& arguments);
 
 std::string ReadAll(const std::string& file);
