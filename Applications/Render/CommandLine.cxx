@@ -1,6 +1,7 @@
 #include "CommandLine.h"
 
 #include "InputError.h"
+#include "Preset.h"
 #include "ProgramFolder.h"
 
 #include <CLI/CLI.hpp>
@@ -62,9 +63,9 @@ void AddOptions(CLI::App& program, Words& words, RenderCommand& command)
   program
     .add_option("--save-scene", words.SavedScene, "Write the whole scene, defaults spelled out")
     ->type_name("FILE");
-  program.add_option("--preset", words.Preset, "Appearance by name (not available yet)")
+  program.add_option("--preset", words.Preset, "Appearance by name, or a preset file (.json)")
     ->type_name("NAME");
-  program.add_flag("--list-presets", words.ListPresets, "Names of the presets (not available yet)");
+  program.add_flag("--list-presets", words.ListPresets, "Print the presets and what they show");
 }
 
 std::optional<std::filesystem::path> FileOption(
@@ -98,10 +99,9 @@ std::optional<SceneChange> ParseChange(const CLI::App& program, const std::strin
 
 RenderCommand FinishCommand(const CLI::App& program, const Words& words, RenderCommand command)
 {
-  if (program.count("--preset") > 0 || words.ListPresets)
+  if (program.count("--preset") > 0 && words.Preset.empty())
   {
-    throw InputError(std::string(words.ListPresets ? "--list-presets" : "--preset") +
-      ": presets are not available yet");
+    throw InputError("--preset is empty; --list-presets prints the names");
   }
   if (words.Input.empty())
   {
@@ -109,6 +109,7 @@ RenderCommand FinishCommand(const CLI::App& program, const Words& words, RenderC
   }
   command.Input = std::filesystem::u8path(words.Input);
   command.Settings = words.Settings;
+  command.Preset = words.Preset;
   command.Output = FileOption(program, "--output", words.Output);
   command.Report = FileOption(program, "--report", words.Report);
   command.SavedScene = FileOption(program, "--save-scene", words.SavedScene);
@@ -139,6 +140,11 @@ std::optional<RenderCommand> ParseCommandLine(int argc, char* argv[])
   catch (const CLI::ParseError& error)
   {
     throw InputError(std::string(error.what()) + "; penumbra-render --help tells the usage");
+  }
+  if (words.ListPresets)
+  {
+    std::cout << DescribePresets();
+    return std::nullopt;
   }
   return FinishCommand(program, words, command);
 }

@@ -24,6 +24,8 @@ struct RenderCommand
   std::filesystem::path Input;
   /// Of the form key.path=value, in the order in which they are applied.
   std::vector<std::string> Settings;
+  /// Appearance by name. Empty: what the scene says, or what suits the volume.
+  std::string Preset;
   std::optional<std::filesystem::path> Output;
   std::optional<std::filesystem::path> Report;
   std::optional<std::filesystem::path> SavedScene;

@@ -1,5 +1,6 @@
 #include "RenderCommand.h"
 
+#include "BareVolume.h"
 #include "Frames.h"
 #include "InputError.h"
 #include "OutputFile.h"
@@ -137,9 +138,11 @@ private:
   }
 };
 
-SceneDescription LoadCommandScene(const RenderCommand& command, CommandOutputs& outputs)
+// Refuses what can be refused before the volume is read.
+SceneDescription CheckCommandScene(
+  const RenderCommand& command, const SceneSource& source, CommandOutputs& outputs)
 {
-  SceneDescription scene = LoadScene(command.Input, command.Settings);
+  SceneDescription scene = source.Describe(PresetForChecking(source));
   if (command.Change)
   {
     CheckChange(*command.Change, scene.Lights.size());
@@ -191,7 +194,7 @@ std::string TextOf(const SceneDescription& scene, const fs::path& file)
 
 void WriteOutputs(CommandOutputs& outputs, const RenderedFrames& frames,
   const std::string& savedScene, vtkImageData* volume, vtkIlluminatedVolumeMapper* mapper,
-  const std::vector<std::string>& warnings)
+  const ReportTexts& texts)
 {
   if (outputs.Picture)
   {
@@ -199,7 +202,7 @@ void WriteOutputs(CommandOutputs& outputs, const RenderedFrames& frames,
   }
   if (outputs.Report)
   {
-    outputs.Report->Write(WriteReport(frames, volume, mapper, warnings));
+    outputs.Report->Write(WriteReport(frames, volume, mapper, texts));
   }
   if (outputs.Scene)
   {
@@ -216,11 +219,17 @@ void WriteOutputs(CommandOutputs& outputs, const RenderedFrames& frames,
 void Execute(const RenderCommand& command, vtkMessageCollector* messages)
 {
   CommandOutputs outputs(command);
-  SceneDescription scene = LoadCommandScene(command, outputs);
+  const SceneSource source(command.Input, command.Settings, command.Preset);
+  SceneDescription scene = CheckCommandScene(command, source, outputs);
 
   std::vector<std::string> warnings;
   const SceneVoxels voxels = ReadCommandVoxels(command, scene.Volume, warnings);
   RefuseReadingErrors(messages);
+  std::vector<std::string> choices;
+  if (source.IsBareVolume())
+  {
+    scene = ArrangeBareVolume(source, voxels.Volume, choices);
+  }
   ResolveScene(scene, voxels.Volume);
   const std::string savedScene = command.SavedScene ? TextOf(scene, *command.SavedScene) : "";
 
@@ -248,7 +257,7 @@ void Execute(const RenderCommand& command, vtkMessageCollector* messages)
     CollectWarnings(mapper->GetMessages(), warnings);
   }
   CollectWarnings(messages->GetWarnings(), warnings);
-  WriteOutputs(outputs, frames, savedScene, voxels.Volume, mapper, warnings);
+  WriteOutputs(outputs, frames, savedScene, voxels.Volume, mapper, { choices, warnings });
   for (const std::string& warning : warnings)
   {
     std::cerr << "warning: " << warning << "\n";

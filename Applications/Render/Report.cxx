@@ -63,7 +63,7 @@ std::vector<RequirementEntry> EntriesOf(vtkIlluminatedVolumeMapper* mapper)
 
 //------------------------------------------------------------------------------
 std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
-  vtkIlluminatedVolumeMapper* mapper, const std::vector<std::string>& warnings)
+  vtkIlluminatedVolumeMapper* mapper, const ReportTexts& texts)
 {
   std::vector<double> seconds;
   std::vector<double> cpuSeconds;
@@ -89,7 +89,8 @@ std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
   report["technique"] = NameOfTechnique(mapper);
   report["requirements"] = requirements;
   report["leftOut"] = mapper ? mapper->GetRequirements().GetLeftOut() : std::vector<std::string>();
-  report["warnings"] = warnings;
+  report["choices"] = texts.Choices;
+  report["warnings"] = texts.Warnings;
   report["peakMemoryBytes"] = PeakMemoryBytes();
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

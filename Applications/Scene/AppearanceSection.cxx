@@ -1,6 +1,7 @@
 #include "SceneSections.h"
 
 #include "InputError.h"
+#include "Preset.h"
 
 #include <nlohmann/json.hpp>
 
@@ -56,11 +57,17 @@ void ReadPoints(
 }
 
 //------------------------------------------------------------------------------
-TransferFunctionDescription ParseTransferFunction(const nlohmann::json& value)
+TransferFunctionDescription ParseTransferFunction(
+  const nlohmann::json& value, const std::filesystem::path& folder)
 {
   TransferFunctionDescription function;
   JsonObject object(value, "transferFunction");
-  object.RefuseNotYetAvailable("preset", "presets are");
+  if (object.Find("preset"))
+  {
+    std::string name;
+    object.Read("preset", name);
+    function.FromPreset = std::make_shared<const Preset>(FindPreset(name, folder));
+  }
   ReadPoints<1>(object, "opacity", function.Opacity);
   ReadPoints<3>(object, "color", function.Color);
   ReadPoints<1>(object, "gradientOpacity", function.GradientOpacity);
@@ -74,6 +81,12 @@ MaterialDescription ParseMaterial(const nlohmann::json& value)
 {
   MaterialDescription material;
   JsonObject object(value, "material");
+  if (object.Find("preset"))
+  {
+    std::string name;
+    object.Read("preset", name);
+    material = ParseMaterial(FindMaterial(name, object.PathOf("preset")));
+  }
   bool phong = true;
   object.ReadChoice<bool>("model", phong, { { "phong", true } },
     { "blinn-phong", "oren-nayar", "ward", "ward-anisotropic", "cook-torrance", "reflection-map" });
@@ -81,7 +94,6 @@ MaterialDescription ParseMaterial(const nlohmann::json& value)
   object.Read("diffuse", material.Diffuse, ZeroToOne);
   object.Read("specular", material.Specular, ZeroToOne);
   object.Read("specularPower", material.SpecularPower, ZeroOrMore);
-  object.RefuseNotYetAvailable("preset", "materials by name are");
 
   // The other models' keys may stand in a scene that uses Phong's.
   for (const char* key : { "roughness", "roughnessX", "roughnessY", "slope", "gaussianConstant" })

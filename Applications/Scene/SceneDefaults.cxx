@@ -1,6 +1,6 @@
 #include "SceneDefaults.h"
 
-#include "DefaultTransferFunction.h"
+#include "Preset.h"
 #include "SceneCamera.h"
 #include "VolumeBox.h"
 
@@ -27,17 +27,23 @@ void ResolveTransferFunction(TransferFunctionDescription& function, vtkImageData
 {
   if (!function.Opacity || !function.Color)
   {
-    const TransferFunctionDescription chosen = ChooseTransferFunction(image);
+    const VolumeStatistics statistics(image);
+    if (!function.FromPreset)
+    {
+      const std::string name = ChoosePreset(image, statistics).Name;
+      function.FromPreset = std::make_shared<const Preset>(FindPreset(name, {}));
+    }
+    const TransferFunctionDescription preset =
+      ScaleToVolume(*function.FromPreset, image, statistics);
     if (!function.Opacity)
     {
-      function.Opacity = chosen.Opacity;
+      function.Opacity = preset.Opacity;
+      function.GradientOpacity =
+        function.GradientOpacity ? function.GradientOpacity : preset.GradientOpacity;
       function.OpacityUnitDistance =
-        function.OpacityUnitDistance.value_or(*chosen.OpacityUnitDistance);
+        function.OpacityUnitDistance ? function.OpacityUnitDistance : preset.OpacityUnitDistance;
     }
-    if (!function.Color)
-    {
-      function.Color = chosen.Color;
-    }
+    function.Color = function.Color ? function.Color : preset.Color;
   }
   function.OpacityUnitDistance = function.OpacityUnitDistance.value_or(1.0);
 }

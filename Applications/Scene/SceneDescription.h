@@ -17,6 +17,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,15 +56,20 @@ struct VolumeDescription
 template <std::size_t NumberOfValues>
 using FunctionPoints = std::vector<std::array<double, 1 + NumberOfValues>>;
 
+struct Preset;
+
 struct TransferFunctionDescription
 {
-  /// Opacity per unit distance, 0 to 1. Empty: chosen from the voxels.
+  /// Gives what is empty below. Empty: chosen from the voxels, where it is needed.
+  std::shared_ptr<const Preset> FromPreset;
+  /// Opacity per unit distance, 0 to 1. Empty: the preset's.
   std::optional<FunctionPoints<1>> Opacity;
-  /// Empty: chosen from the voxels.
+  /// Empty: the preset's.
   std::optional<FunctionPoints<3>> Color;
-  /// Factor of the opacity, 0 to 1, over scalar units per mean voxel. Empty: none.
+  /// Factor of the opacity, 0 to 1, over scalar units per mean voxel. Empty: none, or the preset's
+  /// where the opacity is.
   std::optional<FunctionPoints<1>> GradientOpacity;
-  /// In the volume's own lengths. Empty: 1, or the mean spacing where the opacity is chosen too.
+  /// In the volume's own lengths. Empty: 1, or the preset's where the opacity is.
   std::optional<double> OpacityUnitDistance;
 };
 

@@ -1,6 +1,7 @@
 #include "SceneFile.h"
 
 #include "InputError.h"
+#include "Preset.h"
 #include "SceneParser.h"
 #include "SceneSettings.h"
 
@@ -68,7 +69,10 @@ std::string ReasonOf(const nlohmann::json::exception& error)
   return end == std::string::npos ? text : text.substr(end + 2);
 }
 
-std::string ReadText(const std::filesystem::path& file)
+}
+
+//------------------------------------------------------------------------------
+std::string ReadJsonFile(const std::filesystem::path& file)
 {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
@@ -78,7 +82,7 @@ std::string ReadText(const std::filesystem::path& file)
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file, ignored))
   {
-    throw InputError("cannot be read; a scene is a file of JSON");
+    throw InputError("cannot be read; a file of JSON is needed");
   }
   std::string text{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
   if (stream.bad())
@@ -88,13 +92,38 @@ std::string ReadText(const std::filesystem::path& file)
   return text;
 }
 
+namespace
+{
 nlohmann::json ReadSceneJson(const std::filesystem::path& file)
 {
   if (IsSceneFile(file))
   {
-    return ParseJson(ReadText(file));
+    return ParseJson(ReadJsonFile(file));
   }
   return { { "volume", { { "file", std::filesystem::absolute(file).u8string() } } } };
+}
+
+// What the scene says itself stays.
+void AddAppearance(
+  nlohmann::json& scene, const std::string& name, const std::filesystem::path& folder)
+{
+  if (!scene.is_object())
+  {
+    return; // which the parser refuses
+  }
+  const Preset preset = FindPreset(name, folder);
+  if (!scene.contains("transferFunction"))
+  {
+    scene["transferFunction"] = { { "preset", name } };
+  }
+  if (preset.Material && !scene.contains("material"))
+  {
+    scene["material"] = *preset.Material;
+  }
+  if (preset.Lights && !scene.contains("lights"))
+  {
+    scene["lights"] = *preset.Lights;
+  }
 }
 }
 
@@ -122,24 +151,55 @@ nlohmann::json ParseJson(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-SceneDescription LoadScene(
-  const std::filesystem::path& file, const std::vector<std::string>& settings)
+SceneSource::SceneSource(const std::filesystem::path& file,
+  const std::vector<std::string>& settings, const std::string& preset)
+  : File(file)
+  , Folder(IsSceneFile(file) ? std::filesystem::absolute(file).parent_path()
+                             : std::filesystem::current_path())
+  , Settings(settings)
+  , Preset(preset)
+  , IsVolume(!IsSceneFile(file))
 {
   try
   {
-    nlohmann::json scene = ReadSceneJson(file);
-    for (const std::string& setting : settings)
-    {
-      ApplySetting(scene, setting);
-    }
-    const auto folder = IsSceneFile(file) ? std::filesystem::absolute(file).parent_path()
-                                          : std::filesystem::current_path();
-    return ParseScene(scene, folder);
+    this->Scene = std::make_unique<const nlohmann::json>(ReadSceneJson(file));
   }
   catch (const InputError& error)
   {
     throw InputError(file.u8string() + ": " + error.what());
   }
+}
+
+//------------------------------------------------------------------------------
+SceneSource::~SceneSource() = default;
+
+//------------------------------------------------------------------------------
+SceneDescription SceneSource::Describe(const std::string& preset) const
+{
+  try
+  {
+    nlohmann::json scene = *this->Scene;
+    if (!preset.empty())
+    {
+      AddAppearance(scene, preset, this->Folder);
+    }
+    for (const std::string& setting : this->Settings)
+    {
+      ApplySetting(scene, setting);
+    }
+    return ParseScene(scene, this->Folder);
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(this->File.u8string() + ": " + error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+SceneDescription LoadScene(
+  const std::filesystem::path& file, const std::vector<std::string>& settings)
+{
+  return SceneSource(file, settings).Describe("");
 }
 
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,55 @@ bool IsSceneFile(const std::filesystem::path& file);
 nlohmann::json ParseJson(const std::string& text);
 
 /**
- * The scene in a scene file, or a volume with the defaults for all else, after the settings (see
- * ApplySetting) were applied in their order. Paths in settings are relative to where paths in the
- * scene are: to the scene file's folder, or to the current folder for a volume.
- * @throw InputError where the file cannot be read or the scene is not valid. The volume itself is
- * not opened.
+ * @throw InputError where the file cannot be read.
+ */
+std::string ReadJsonFile(const std::filesystem::path& file);
+
+/**
+ * A scene before it is parsed: what a scene file says, or a volume alone, and settings (see
+ * ApplySetting) that change it.
+ */
+class SceneSource
+{
+public:
+  /**
+   * Paths in settings are relative to where paths in the scene are: to the scene file's folder, or
+   * to the current folder for a volume. `preset` gives what the scene does not say of its
+   * appearance; it may be empty.
+   * @throw InputError where the file cannot be read.
+   */
+  SceneSource(const std::filesystem::path& file, const std::vector<std::string>& settings,
+    const std::string& preset = "");
+  ~SceneSource();
+
+  /**
+   * The scene with this preset's appearance, or without any where it is empty, where neither the
+   * file nor the settings say otherwise.
+   * @throw InputError where the scene is not valid. The volume itself is not opened.
+   */
+  SceneDescription Describe(const std::string& preset) const;
+
+  /// Whether the appearance is for the volume's own values to choose.
+  bool IsPresetOpen() const { return this->IsVolume && this->Preset.empty(); }
+
+  /// The preset asked for, or empty.
+  const std::string& GetPreset() const { return this->Preset; }
+
+  /// Whether it is a volume without a scene.
+  bool IsBareVolume() const { return this->IsVolume; }
+
+private:
+  std::filesystem::path File;
+  std::filesystem::path Folder;
+  std::vector<std::string> Settings;
+  std::string Preset;
+  bool IsVolume;
+  std::unique_ptr<const nlohmann::json> Scene;
+};
+
+/**
+ * The scene in a scene file, or a volume with the defaults for all else, after the settings.
+ * @throw InputError as SceneSource does.
  */
 SceneDescription LoadScene(
   const std::filesystem::path& file, const std::vector<std::string>& settings);

@@ -99,7 +99,7 @@ SceneDescription ParseScene(const nlohmann::json& json, const std::filesystem::p
   description.Volume = ParseVolume(*volume, folder);
   if (const nlohmann::json* value = scene.Find("transferFunction"))
   {
-    description.TransferFunction = ParseTransferFunction(*value);
+    description.TransferFunction = ParseTransferFunction(*value, folder);
   }
   ParseShading(scene, description.Shade);
   if (const nlohmann::json* value = scene.Find("material"))

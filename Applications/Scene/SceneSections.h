@@ -13,7 +13,9 @@ namespace penumbra
 {
 
 VolumeDescription ParseVolume(const nlohmann::json& value, const std::filesystem::path& folder);
-TransferFunctionDescription ParseTransferFunction(const nlohmann::json& value);
+/// Presets' files are relative to `folder`.
+TransferFunctionDescription ParseTransferFunction(
+  const nlohmann::json& value, const std::filesystem::path& folder);
 MaterialDescription ParseMaterial(const nlohmann::json& value);
 LightDescription ParseLight(const nlohmann::json& value, const std::string& path);
 CameraDescription ParseCamera(const nlohmann::json& value);

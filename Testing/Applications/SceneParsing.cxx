@@ -235,11 +235,9 @@ TEST_CASE("What is not built yet is refused by its name")
     R"(, "shadows": { "technique": "map" })",
     R"(, "shadows": { "technique": "deep-map" })",
     R"(, "material": { "model": "ward" })",
-    R"(, "material": { "preset": "bone" })",
     R"(, "gradient": "sobel")",
     R"(, "opticalModel": "absorption")",
     R"(, "opticalModel": "emission")",
-    R"(, "transferFunction": { "preset": "ct-bone" })",
   }));
   CHECK_THAT(MessageOf(scene), Catch::Matchers::ContainsSubstring("not available yet"));
 }
