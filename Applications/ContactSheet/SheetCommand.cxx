@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <vtkImageData.h>
+#include <vtksys/SystemTools.hxx>
 
 #include <filesystem>
 #include <iostream>
@@ -31,7 +32,7 @@ void RefuseToOverwrite(const OutputFile& output, const fs::path& input)
 
 void WriteSheet(const fs::path& input, const fs::path& output)
 {
-  if (FormatOf(output) != PictureFormat::Png)
+  if (vtksys::SystemTools::LowerCase(output.extension().u8string()) != ".png")
   {
     throw InputError("--output is " + output.u8string() + "; accepted: a name that ends in .png");
   }
