@@ -47,6 +47,7 @@ void ReadTransferFunction(JsonObject& object, Preset& preset)
   JsonObject reader(*value, "transferFunction");
   reader.ReadChoice<PresetScale>("scale", preset.Scale,
     { { "scalars", PresetScale::Scalars }, { "percentiles", PresetScale::Percentiles },
+      { "percentiles-of-all", PresetScale::AllPercentiles },
       { "threshold", PresetScale::Threshold } });
   function.erase("scale");
   preset.TransferFunction = ParseTransferFunction(function, {});

@@ -27,6 +27,7 @@ enum class PresetScale
 {
   Scalars,
   Percentiles,
+  AllPercentiles,
   Threshold
 };
 

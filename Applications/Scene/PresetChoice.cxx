@@ -48,6 +48,8 @@ double ScaleValue(double x, PresetScale scale, const VolumeStatistics& statistic
   {
     case PresetScale::Percentiles:
       return statistics.GetPercentile(x, threshold);
+    case PresetScale::AllPercentiles:
+      return statistics.GetPercentile(x, statistics.GetLowest());
     case PresetScale::Threshold:
     {
       // A few voxels far above all others would flatten the rest.
