@@ -68,7 +68,6 @@ Preset ParsePreset(const nlohmann::json& document)
   object.Read("name", preset.Name);
   object.Read("description", preset.Description);
   preset.Modalities = ReadTexts(object, "modalities");
-  object.Read("thin", preset.IsThin);
   object.Read("cropMargin", preset.CropMargin, AnyNumber);
   ReadTransferFunction(object, preset);
   preset.Material = CopyOf(object, "material");

@@ -36,7 +36,6 @@ struct Preset
   std::string Name;
   std::string Description;
   std::vector<std::string> Modalities;
-  bool IsThin = false;
   /// In mm around a patient's body, outside of which nothing is shown. Empty: all is.
   std::optional<double> CropMargin;
   PresetScale Scale = PresetScale::Scalars;

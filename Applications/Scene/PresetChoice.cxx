@@ -20,8 +20,9 @@ constexpr double HighestHounsfield = 32767.0;
 constexpr double SoftTissue = -300.0;
 
 // Of a CT, the least part of the body that is bone for it to be worth showing.
-constexpr double LeastBone =
-  0.02; // Values whose variance two kinds explain to a smaller part have no surface.
+constexpr double LeastBone = 0.02;
+
+// Values whose variance two kinds explain to a smaller part have no surface.
 constexpr double LeastSeparability = 0.5;
 
 // A preset's unit distance is in this part of the volume's diagonal.

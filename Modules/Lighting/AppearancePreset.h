@@ -6,7 +6,6 @@
  *
  * - "name", "description": what people choose by.
  * - "modalities": for which DICOM modalities it is made; empty: for any data.
- * - "thin": whether it shows thin things only, such as vessels. Default: false.
  * - "cropMargin": leaves out what is further than this from a patient's body, in mm, such as the
  *   scanner's table; below 0 that much of the body too. Default: all is shown.
  * - "transferFunction": "opacity", "color", "gradientOpacity", "opacityUnitDistance" as in a scene,
