@@ -2,6 +2,7 @@
 
 #include "BodyRegion.h"
 #include "Preset.h"
+#include "SceneDefaults.h"
 #include "VisibleView.h"
 
 #include <vtkImageData.h>
@@ -23,8 +24,8 @@ std::string Rounded(double number)
   return text.str();
 }
 
-SceneDescription DescribeWithPreset(
-  const SceneSource& source, vtkImageData* image, std::vector<std::string>& choices)
+SceneDescription DescribeWithPreset(const SceneSource& source, vtkImageData* image,
+  const VolumeStatistics& statistics, std::vector<std::string>& choices)
 {
   if (!source.IsPresetOpen())
   {
@@ -37,7 +38,7 @@ SceneDescription DescribeWithPreset(
   {
     return preset ? source.Describe(preset->Name) : checked;
   }
-  const PresetChoice choice = ChoosePreset(image, VolumeStatistics(image));
+  const PresetChoice choice = ChoosePreset(image, statistics);
   choices.push_back("preset " + choice.Name + ": " + choice.Reason);
   return source.Describe(choice.Name);
 }
@@ -72,7 +73,9 @@ std::string PresetForChecking(const SceneSource& source)
 SceneDescription ArrangeBareVolume(
   const SceneSource& source, vtkImageData* image, std::vector<std::string>& choices)
 {
-  SceneDescription scene = DescribeWithPreset(source, image, choices);
+  const VolumeStatistics statistics(image);
+  SceneDescription scene = DescribeWithPreset(source, image, statistics, choices);
+  ResolveTransferFunction(scene.TransferFunction, image, statistics);
   CropToBody(scene, image, choices);
   const CameraDescription& camera = scene.Camera;
   if (!camera.Position && !camera.FocalPoint && !camera.ViewUp && !camera.ParallelScale)

@@ -1,11 +1,9 @@
 #include "Preset.h"
 
 #include "VolumeBox.h"
+#include "VolumeFields.h"
 
-#include <vtkAbstractArray.h>
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
-#include <vtkStringArray.h>
 
 #include <cmath>
 
@@ -27,12 +25,6 @@ constexpr double LeastSeparability = 0.5;
 
 // A preset's unit distance is in this part of the volume's diagonal.
 constexpr double UnitsPerDiagonal = 400.0;
-
-std::string TextField(vtkImageData* image, const char* name)
-{
-  auto* const texts = vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray(name));
-  return texts && texts->GetNumberOfValues() > 0 ? texts->GetValue(0) : std::string();
-}
 
 PresetChoice ChooseForCT(const VolumeStatistics& statistics, const std::string& reason)
 {

@@ -3,31 +3,16 @@
 #include "Preset.h"
 #include "SceneCamera.h"
 #include "VolumeBox.h"
-
-#include <vtkFieldData.h>
-#include <vtkImageData.h>
-#include <vtkStringArray.h>
+#include "VolumeFields.h"
 
 namespace penumbra
 {
-namespace
-{
-// Which series a DICOM reader has taken.
-void ResolveSeries(std::optional<std::string>& series, vtkImageData* image)
-{
-  auto* const taken =
-    vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("SeriesInstanceUID"));
-  if (taken && taken->GetNumberOfValues() > 0 && !taken->GetValue(0).empty())
-  {
-    series = taken->GetValue(0);
-  }
-}
-
-void ResolveTransferFunction(TransferFunctionDescription& function, vtkImageData* image)
+//------------------------------------------------------------------------------
+void ResolveTransferFunction(
+  TransferFunctionDescription& function, vtkImageData* image, const VolumeStatistics& statistics)
 {
   if (!function.Opacity || !function.Color)
   {
-    const VolumeStatistics statistics(image);
     if (!function.FromPreset)
     {
       const std::string name = ChoosePreset(image, statistics).Name;
@@ -45,15 +30,22 @@ void ResolveTransferFunction(TransferFunctionDescription& function, vtkImageData
     }
     function.Color = function.Color ? function.Color : preset.Color;
   }
-  function.OpacityUnitDistance = function.OpacityUnitDistance.value_or(1.0);
-}
 }
 
 //------------------------------------------------------------------------------
 void ResolveScene(SceneDescription& scene, vtkImageData* image)
 {
-  ResolveSeries(scene.Volume.Series, image);
-  ResolveTransferFunction(scene.TransferFunction, image);
+  const std::string series = TextField(image, "SeriesInstanceUID");
+  if (!series.empty())
+  {
+    scene.Volume.Series = series;
+  }
+  TransferFunctionDescription& function = scene.TransferFunction;
+  if (!function.Opacity || !function.Color)
+  {
+    ResolveTransferFunction(function, image, VolumeStatistics(image));
+  }
+  function.OpacityUnitDistance = function.OpacityUnitDistance.value_or(1.0);
   const double smallest = SmallestSpacing(image);
   scene.SampleDistance = scene.SampleDistance.value_or(0.5 * smallest);
   scene.Shadows.SampleDistance = scene.Shadows.SampleDistance.value_or(2.0 * *scene.SampleDistance);

@@ -7,6 +7,7 @@
 #define SceneDefaults_h
 
 #include "SceneDescription.h"
+#include "VolumeStatistics.h"
 
 class vtkImageData;
 
@@ -19,6 +20,13 @@ namespace penumbra
  * @throw InputError where the camera does not go with the volume.
  */
 void ResolveScene(SceneDescription& scene, vtkImageData* image);
+
+/**
+ * Fills in what the transfer function does not say itself, from its preset, or where it has none,
+ * from one that suits the voxels, of which `statistics` are.
+ */
+void ResolveTransferFunction(
+  TransferFunctionDescription& function, vtkImageData* image, const VolumeStatistics& statistics);
 
 }
 

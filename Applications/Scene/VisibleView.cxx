@@ -3,9 +3,9 @@
 #include "Preset.h"
 #include "SceneCamera.h"
 #include "VolumeBox.h"
+#include "VolumeFields.h"
 
 #include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkMatrix3x3.h>
@@ -53,11 +53,10 @@ struct Axes
   std::string Reason;
 };
 
-std::vector<Vector3> VisiblePoints(
-  const SceneDescription& scene, const TransferFunctionDescription& function, vtkImageData* image)
+std::vector<Vector3> VisiblePoints(const SceneDescription& scene, vtkImageData* image)
 {
   vtkNew<vtkPiecewiseFunction> opacity;
-  for (const auto& point : *function.Opacity)
+  for (const auto& point : *scene.TransferFunction.Opacity)
   {
     opacity->AddPoint(point[0], point[1]);
   }
@@ -170,7 +169,7 @@ std::array<double, 3> Imbalance(const std::vector<Vector3>& points)
 
 bool HasOrientation(const SceneDescription& scene, vtkImageData* image)
 {
-  return image->GetFieldData()->HasArray("Modality") || IsNamed(scene.Volume.File, ".nii") ||
+  return !TextField(image, "Modality").empty() || IsNamed(scene.Volume.File, ".nii") ||
     IsNamed(scene.Volume.File, ".nii.gz") || !image->GetDirectionMatrix()->IsIdentity() ||
     (scene.TransferFunction.FromPreset && !scene.TransferFunction.FromPreset->Modalities.empty());
 }
@@ -249,13 +248,7 @@ void FitTo(const std::vector<Vector3>& points, const Vector3& toEye, double aspe
 //------------------------------------------------------------------------------
 std::string ViewFromTheFront(SceneDescription& scene, vtkImageData* image)
 {
-  TransferFunctionDescription function = scene.TransferFunction;
-  if (!function.Opacity && function.FromPreset)
-  {
-    function = ScaleToVolume(*function.FromPreset, image, VolumeStatistics(image));
-  }
-  const auto points =
-    function.Opacity ? VisiblePoints(scene, function, image) : std::vector<Vector3>();
+  const auto points = VisiblePoints(scene, image);
   const Axes axes = AxesOf(scene, image, points);
   const auto& size = scene.Image.Size;
   const double aspect = static_cast<double>(size[0]) / size[1];
