@@ -104,7 +104,9 @@ private:
         if (message->contains(DicomAnswer::Start))
         {
           this->Begin(message->at(DicomAnswer::Start).get<std::size_t>());
-          message->at(DicomAnswer::Progress).get_to(this->Progress);
+          // Slices decoded in parallel may tell their start out of order.
+          this->Progress =
+            std::max(this->Progress, message->at(DicomAnswer::Progress).get<double>());
         }
         else if (message->contains(DicomAnswer::Done))
         {
