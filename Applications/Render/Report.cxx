@@ -1,5 +1,6 @@
 #include "Report.h"
 
+#include "PictureBrightness.h"
 #include "Process.h"
 #include "ScalarTypes.h"
 
@@ -50,6 +51,13 @@ Json DescribeVolume(vtkImageData* volume)
     { "range", { range[0], range[1] } } };
 }
 
+Json DescribeBrightness(vtkImageData* picture)
+{
+  const PictureBrightness brightness = MeasureBrightness(picture);
+  return { { "foreground", brightness.Foreground }, { "luminance", brightness.Luminance },
+    { "burntOut", brightness.BurntOut }, { "black", brightness.Black } };
+}
+
 std::string NameOfTechnique(vtkIlluminatedVolumeMapper* mapper)
 {
   return mapper && mapper->GetRequirements().GetNumberOfShadowedLights() > 0 ? "rays" : "none";
@@ -86,6 +94,7 @@ std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
   report["frameCpuSeconds"] = cpuSeconds;
   report["medianFrameSeconds"] = Median(seconds);
   report["shadowUpdateSeconds"] = 0.0; // rays keep nothing between frames
+  report["brightness"] = DescribeBrightness(frames.Picture);
   report["technique"] = NameOfTechnique(mapper);
   report["requirements"] = requirements;
   report["leftOut"] = mapper ? mapper->GetRequirements().GetLeftOut() : std::vector<std::string>();

@@ -1,5 +1,6 @@
 #include "BodyRegion.h"
 #include "Catch.h"
+#include "PictureLook.h"
 #include "RunProgram.h"
 
 #include <nlohmann/json.hpp>
@@ -8,97 +9,13 @@
 #include <vtkNew.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 
 using namespace penumbra;
 using Catch::Matchers::ContainsSubstring;
 
 namespace
 {
-struct Look
-{
-  /// Of the picture, what the volume covers.
-  double foreground = 0.0;
-  /// Of what it covers: the mean luminance, and what is burnt out and black.
-  double luminance = 0.0;
-  double burnt = 0.0;
-  double black = 0.0;
-  nlohmann::json report;
-};
-
-// Colour and opacity of each pixel, over black.
-std::vector<float> PixelsOf(const std::string& mha)
-{
-  const std::string bytes = ReadAll(mha);
-  const std::string end = "ElementDataFile = LOCAL\n";
-  const auto begin = bytes.find(end) + end.size();
-  std::vector<float> pixels((bytes.size() - begin) / sizeof(float));
-  std::memcpy(pixels.data(), bytes.data() + begin, pixels.size() * sizeof(float));
-  return pixels;
-}
-
-Look LookOf(std::vector<std::string> arguments)
-{
-  const TemporaryFolder folder;
-  arguments.insert(arguments.end(),
-    { "--set", "image.size=[128,128]", "--output", folder.PathOf("p.mha"), "--report",
-      folder.PathOf("r.json") });
-  const auto result = RunPenumbraRender(arguments);
-  INFO(result.error);
-  REQUIRE(result.exitStatus == 0);
-  const auto pixels = PixelsOf(folder.PathOf("p.mha"));
-  Look look;
-  look.report = nlohmann::json::parse(ReadAll(folder.PathOf("r.json")));
-  double count = 0.0;
-  for (std::size_t at = 0; at < pixels.size(); at += 4)
-  {
-    const float* p = &pixels[at];
-    if (p[3] > 0.03f)
-    {
-      const double luminance = 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
-      count += 1.0;
-      look.luminance += luminance;
-      look.burnt += std::max({ p[0], p[1], p[2] }) >= 0.995f ? 1.0 : 0.0;
-      look.black += luminance < 0.05 ? 1.0 : 0.0;
-    }
-  }
-  REQUIRE(count > 0.0);
-  look.foreground = 4.0 * count / static_cast<double>(pixels.size());
-  look.luminance /= count;
-  look.burnt /= count;
-  look.black /= count;
-  return look;
-}
-
-// What a picture has to be so that something is seen in it: neither dark nor burnt out, and not
-// lost in an empty picture.
-void CheckIsSeen(const Look& look, double leastForeground)
-{
-  INFO("foreground " << look.foreground << ", luminance " << look.luminance << ", burnt "
-                     << look.burnt << ", black " << look.black);
-  CHECK(look.foreground > leastForeground);
-  CHECK(look.luminance > 0.25);
-  CHECK(look.luminance < 0.7);
-  CHECK(look.burnt < 0.02);
-  CHECK(look.black < 0.1);
-}
-
 const std::string Data = PENUMBRA_DATA;
-}
-
-TEST_CASE("A volume alone gives a picture in which something is seen")
-{
-  CheckIsSeen(LookOf({ Data + "/brainsmall.mhd" }), 0.12);
-  CheckIsSeen(LookOf({ Data + "/mr-brain" }), 0.12);
-  CheckIsSeen(LookOf({ Data + "/stent.mhd" }), 0.08); // vessels are thin
-}
-
-TEST_CASE("Presets for MR and for any data show the shipped volumes well")
-{
-  const auto preset = GENERATE(values<std::string>({ "mr-head", "mr-brain", "surface" }));
-  INFO(preset);
-  CheckIsSeen(LookOf({ Data + "/brainsmall.mhd", "--preset", preset }), 0.12);
 }
 
 TEST_CASE("What was chosen for a volume is told with its reasons")
