@@ -95,7 +95,7 @@ cat >"$output/thesis-cases.json" <<SHEET
  "note": "Below each picture: what a frame costs as a multiple of the unlit one, and its seconds of processor time (all cores, median of $frames).",
  "columns": [$(list "${heads[@]}")],
  "rows": [$(list "${rows[@]}")],
- "cellSize": [512, 512]}
+ "cellSize": [256, 256]}
 SHEET
 "$PENUMBRA_BIN/penumbra-contact-sheet" "$output/thesis-cases.json" --output "$output/thesis-cases.png"
 echo "The sheet is $output/thesis-cases.png"

@@ -76,6 +76,36 @@ TEST_CASE("The head's presets show the CT head well")
     GENERATE(values<std::string>({ "ct-bone", "ct-skin", "ct-skin-bone" })));
 }
 
+TEST_CASE("The shipped scenes show their volumes")
+{
+  const auto scene = GENERATE(values<std::string>({ "stent", "brain" }));
+  INFO(scene);
+  const PictureLook look = LookOf({ Data + "/" + scene + ".json" });
+  CHECK(look.foreground > LeastThinForeground);
+  CHECK(look.report["warnings"].empty());
+  CHECK(look.report["technique"] == "rays");
+}
+
+TEST_CASE("The thesis' scenes show their volumes, where they are there, with and without shadows")
+{
+  const auto scene = GENERATE(values<std::string>({ "ct", "skull", "bonsai", "engine" }));
+  const std::string file = Data + "/thesis/" + scene + ".json";
+  const auto description = nlohmann::json::parse(ReadAll(file));
+  const std::string volume = Data + "/thesis/" + description["volume"]["file"].get<std::string>();
+  if (!std::filesystem::exists(volume))
+  {
+    SKIP("there is no " + volume);
+  }
+  INFO(scene);
+  const PictureLook lit = LookOf({ file });
+  const PictureLook soft = LookOf({ file, "--set", "lights.0.shadow=soft" });
+  const PictureLook hard = LookOf({ file, "--set", "lights.0.shadow=hard" });
+  CHECK(lit.foreground > LeastForeground);
+  CHECK(lit.luminance > 0.25);
+  CHECK(soft.luminance < lit.luminance);
+  CHECK(hard.luminance < lit.luminance);
+}
+
 TEST_CASE("The report tells how bright the picture is")
 {
   const PictureLook look = LookOf({ Data + "/brainsmall.mhd", "--set", "lights.0.intensity=9" });
