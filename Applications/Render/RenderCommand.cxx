@@ -223,7 +223,7 @@ void Execute(const RenderCommand& command, vtkMessageCollector* messages)
   SceneDescription scene = CheckCommandScene(command, source, outputs);
 
   std::vector<std::string> warnings;
-  const SceneVoxels voxels = ReadCommandVoxels(command, scene.Volume, warnings);
+  SceneVoxels voxels = ReadCommandVoxels(command, scene.Volume, warnings);
   RefuseReadingErrors(messages);
   std::vector<std::string> choices;
   if (source.IsBareVolume())
@@ -231,6 +231,8 @@ void Execute(const RenderCommand& command, vtkMessageCollector* messages)
     scene = ArrangeBareVolume(source, voxels.Volume, choices);
   }
   ResolveScene(scene, voxels.Volume);
+  voxels.Environment = ReadEnvironmentImages(scene.Material);
+  RefuseReadingErrors(messages);
   const std::string savedScene = command.SavedScene ? TextOf(scene, *command.SavedScene) : "";
 
   SceneRendering rendering(scene, voxels);

@@ -58,6 +58,19 @@ Json DescribeBrightness(vtkImageData* picture)
     { "burntOut", brightness.BurntOut }, { "black", brightness.Black } };
 }
 
+// Null where gradients are not kept.
+Json DescribeGradientTexture(vtkIlluminatedVolumeMapper* mapper)
+{
+  if (!mapper || mapper->GetGradientTextureBytes() == 0)
+  {
+    return nullptr;
+  }
+  return { { "bits", mapper->GetGradientTextureBits() },
+    { "bytes", mapper->GetGradientTextureBytes() },
+    { "largestError", mapper->GetGradientTextureLargestError() },
+    { "meanAngularError", mapper->GetGradientTextureAngularError() } };
+}
+
 std::string NameOfTechnique(vtkIlluminatedVolumeMapper* mapper)
 {
   return mapper && mapper->GetRequirements().GetNumberOfShadowedLights() > 0 ? "rays" : "none";
@@ -97,6 +110,7 @@ std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
   report["brightness"] = DescribeBrightness(frames.Picture);
   report["technique"] = NameOfTechnique(mapper);
   report["requirements"] = requirements;
+  report["gradientTexture"] = DescribeGradientTexture(mapper);
   report["leftOut"] = mapper ? mapper->GetRequirements().GetLeftOut() : std::vector<std::string>();
   report["choices"] = texts.Choices;
   report["warnings"] = texts.Warnings;

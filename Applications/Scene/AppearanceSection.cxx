@@ -76,41 +76,4 @@ TransferFunctionDescription ParseTransferFunction(
   return function;
 }
 
-//------------------------------------------------------------------------------
-MaterialDescription ParseMaterial(const nlohmann::json& value)
-{
-  MaterialDescription material;
-  JsonObject object(value, "material");
-  if (object.Find("preset"))
-  {
-    std::string name;
-    object.Read("preset", name);
-    material = ParseMaterial(FindMaterial(name, object.PathOf("preset")));
-  }
-  bool phong = true;
-  object.ReadChoice<bool>("model", phong, { { "phong", true } },
-    { "blinn-phong", "oren-nayar", "ward", "ward-anisotropic", "cook-torrance", "reflection-map" });
-  object.Read("ambient", material.Ambient, ZeroToOne);
-  object.Read("diffuse", material.Diffuse, ZeroToOne);
-  object.Read("specular", material.Specular, ZeroToOne);
-  object.Read("specularPower", material.SpecularPower, ZeroOrMore);
-
-  // The other models' keys may stand in a scene that uses Phong's.
-  for (const char* key : { "roughness", "roughnessX", "roughnessY", "slope", "gaussianConstant" })
-  {
-    double ignored = 0.0;
-    object.Read(key, ignored, AnyNumber);
-  }
-  for (const char* key : { "preferredDirection", "indexOfRefraction" })
-  {
-    Vector3 ignored{};
-    object.Read(key, ignored, AnyNumber);
-  }
-  std::string ignored;
-  object.Read("distribution", ignored);
-  object.Find("environmentMap");
-  object.RefuseUnknownKeys();
-  return material;
-}
-
 }

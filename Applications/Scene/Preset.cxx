@@ -75,7 +75,7 @@ Preset ParsePreset(const nlohmann::json& document)
   object.RefuseUnknownKeys();
   if (preset.Material)
   {
-    ParseMaterial(*preset.Material);
+    ParseMaterial(*preset.Material, {});
   }
   for (const auto& [value, path] : object.ReadArray("lights"))
   {

@@ -11,7 +11,7 @@
 #ifndef SceneDescription_h
 #define SceneDescription_h
 
-#include "LightingRequirements.h" // For ShadowKind
+#include "LightingRequirements.h" // For ShadowKind, ReflectionModel and so on
 #include "Vector3.h"
 
 #include <array>
@@ -73,12 +73,31 @@ struct TransferFunctionDescription
   std::optional<double> OpacityUnitDistance;
 };
 
+enum class FacetDistribution
+{
+  Beckmann,
+  Gaussian
+};
+
+/// What each is, and its range, says vtkVolumeMaterial.
 struct MaterialDescription
 {
+  ReflectionModel Model = ReflectionModel::Phong;
   double Ambient = 0.1;
   double Diffuse = 0.7;
   double Specular = 0.2;
   double SpecularPower = 10.0;
+  double Roughness = 0.3;
+  double RoughnessX = 0.1;
+  double RoughnessY = 0.5;
+  Vector3 PreferredDirection = { 1.0, 0.0, 0.0 };
+  double Slope = 0.3;
+  FacetDistribution Distribution = FacetDistribution::Beckmann;
+  double GaussianConstant = 1.0;
+  Vector3 IndexOfRefraction = { 1.5, 1.5, 1.5 };
+  /// One equirectangular image, or six of the directions +x, -x, +y, -y, +z and -z. Empty: none.
+  std::vector<std::filesystem::path> EnvironmentMap;
+  double NoiseFading = 0.0;
 };
 
 enum class LightType
@@ -172,9 +191,12 @@ struct SceneDescription
 {
   VolumeDescription Volume;
   TransferFunctionDescription TransferFunction;
-  /// True: single scattering; false: absorption and emission.
-  bool Shade = true;
+  /// Lights count in single scattering alone.
+  OpticalModel Optics = OpticalModel::SingleScattering;
   MaterialDescription Material;
+  GradientEstimator Gradient = GradientEstimator::CentralDifferences;
+  /// Bits a component of gradients that are kept: 8 or 16. 0: they are estimated at each sample.
+  int GradientTexture = 0;
   std::vector<LightDescription> Lights = { DefaultLight() };
   bool TwoSidedLighting = true;
   ShadowsDescription Shadows;

@@ -12,25 +12,41 @@ namespace
 // The largest picture that current OpenGL drivers, Mesa's among them, can draw into.
 constexpr int LargestImageSize = 16384;
 
-void ParseShading(JsonObject& scene, bool& shade)
+void ParseOptics(JsonObject& scene, OpticalModel& optics)
 {
-  std::optional<bool> shadeKey;
-  scene.Read("shade", shadeKey);
-  std::optional<bool> scatters;
-  if (scene.Find("opticalModel"))
+  std::optional<bool> shade;
+  scene.Read("shade", shade);
+  if (shade)
   {
-    scatters.emplace();
-    scene.ReadChoice<bool>("opticalModel", *scatters,
-      { { "single-scattering", true }, { "absorption-emission", false } },
-      { "absorption", "emission" });
+    optics = *shade ? OpticalModel::SingleScattering : OpticalModel::AbsorptionEmission;
   }
-  if (shadeKey && scatters && *shadeKey != *scatters)
+  scene.ReadChoice<OpticalModel>("opticalModel", optics,
+    { { "single-scattering", OpticalModel::SingleScattering },
+      { "absorption-emission", OpticalModel::AbsorptionEmission },
+      { "absorption", OpticalModel::Absorption }, { "emission", OpticalModel::Emission } });
+  const bool scatters = optics == OpticalModel::SingleScattering;
+  if (shade && *shade != scatters)
   {
     RefuseValue("shade", *scene.Find("shade"),
-      std::string(*scatters ? "true" : "false") + ", as opticalModel is " +
+      std::string(scatters ? "true" : "false") + ", as opticalModel is " +
         ValueInWords(*scene.Find("opticalModel")));
   }
-  shade = shadeKey.value_or(scatters.value_or(shade));
+}
+
+void ParseGradient(JsonObject& scene, SceneDescription& description)
+{
+  scene.ReadChoice<GradientEstimator>("gradient", description.Gradient,
+    { { "central", GradientEstimator::CentralDifferences },
+      { "forward", GradientEstimator::ForwardDifferences },
+      { "backward", GradientEstimator::BackwardDifferences },
+      { "sobel", GradientEstimator::Sobel } });
+  std::int64_t bits = description.GradientTexture;
+  scene.Read("gradientTexture", bits, 0, 16);
+  if (bits != 0 && bits != 8 && bits != 16)
+  {
+    RefuseValue("gradientTexture", *scene.Find("gradientTexture"), "0, 8 or 16");
+  }
+  description.GradientTexture = static_cast<int>(bits);
 }
 
 ShadowsDescription ParseShadows(const nlohmann::json& value)
@@ -101,14 +117,12 @@ SceneDescription ParseScene(const nlohmann::json& json, const std::filesystem::p
   {
     description.TransferFunction = ParseTransferFunction(*value, folder);
   }
-  ParseShading(scene, description.Shade);
+  ParseOptics(scene, description.Optics);
   if (const nlohmann::json* value = scene.Find("material"))
   {
-    description.Material = ParseMaterial(*value);
+    description.Material = ParseMaterial(*value, folder);
   }
-  bool central = true;
-  scene.ReadChoice<bool>(
-    "gradient", central, { { "central", true } }, { "forward", "backward", "sobel" });
+  ParseGradient(scene, description);
   ParseLights(scene, description.Lights);
   scene.Read("twoSidedLighting", description.TwoSidedLighting);
   if (const nlohmann::json* value = scene.Find("shadows"))

@@ -12,7 +12,7 @@
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
 #include <vtkVolumeLight.h>
-#include <vtkVolumeProperty.h>
+#include <vtkVolumeMaterial.h>
 
 namespace penumbra
 {
@@ -28,7 +28,7 @@ SceneRendering::SceneRendering(const SceneDescription& scene, const SceneVoxels&
   , Box(voxels.Volume, scene.Volume.Transform)
 {
   this->Volume->SetMapper(MakeMapper(scene, voxels, this->Warnings));
-  this->Volume->SetProperty(MakeVolumeProperty(scene));
+  this->Volume->SetProperty(MakeVolumeMaterial(scene, voxels.Environment));
   vtkNew<vtkMatrix4x4> transform;
   transform->DeepCopy(scene.Volume.Transform.data());
   this->Volume->SetUserMatrix(transform);

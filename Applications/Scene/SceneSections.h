@@ -16,7 +16,8 @@ VolumeDescription ParseVolume(const nlohmann::json& value, const std::filesystem
 /// Presets' files are relative to `folder`.
 TransferFunctionDescription ParseTransferFunction(
   const nlohmann::json& value, const std::filesystem::path& folder);
-MaterialDescription ParseMaterial(const nlohmann::json& value);
+/// Images are relative to `folder`.
+MaterialDescription ParseMaterial(const nlohmann::json& value, const std::filesystem::path& folder);
 LightDescription ParseLight(const nlohmann::json& value, const std::string& path);
 CameraDescription ParseCamera(const nlohmann::json& value);
 

@@ -1,12 +1,9 @@
 #include "SceneVolume.h"
 
-#include <vtkColorTransferFunction.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
-#include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
-#include <vtkVolumeProperty.h>
 
 #include <vtkIlluminatedVolumeMapper.h>
 
@@ -17,26 +14,37 @@ namespace
 // VTK 9.1 keeps clipping planes in an array of this many.
 constexpr std::size_t MostPlanesOfStockMapper = 8;
 
-vtkSmartPointer<vtkPiecewiseFunction> MakeFunction(const FunctionPoints<1>& points)
+int OpticalModelOf(OpticalModel optics)
 {
-  auto function = vtkSmartPointer<vtkPiecewiseFunction>::New();
-  function->AllowDuplicateScalarsOn(); // two points at one value are a step
-  for (const auto& [x, y] : points)
+  switch (optics)
   {
-    function->AddPoint(x, y);
+    case OpticalModel::Absorption:
+      return vtkIlluminatedVolumeMapper::Absorption;
+    case OpticalModel::Emission:
+      return vtkIlluminatedVolumeMapper::Emission;
+    case OpticalModel::AbsorptionEmission:
+      return vtkIlluminatedVolumeMapper::AbsorptionEmission;
+    default:
+      return vtkIlluminatedVolumeMapper::SingleScattering;
   }
-  return function;
 }
 
-vtkSmartPointer<vtkColorTransferFunction> MakeColorFunction(const FunctionPoints<3>& points)
+// What the stock mapper takes for what it does not have.
+void TellReplacements(const SceneDescription& scene, std::vector<std::string>& warnings)
 {
-  auto function = vtkSmartPointer<vtkColorTransferFunction>::New();
-  function->AllowDuplicateScalarsOn();
-  for (const auto& [x, red, green, blue] : points)
+  const bool shaded = scene.Optics == OpticalModel::SingleScattering;
+  if (shaded && scene.Material.Model != ReflectionModel::Phong)
   {
-    function->AddRGBPoint(x, red, green, blue);
+    warnings.push_back("the stock mapper has no other reflection model than phong, which it takes");
   }
-  return function;
+  if (shaded && scene.Gradient != GradientEstimator::CentralDifferences)
+  {
+    warnings.push_back("the stock mapper has no other gradients than central ones, which it takes");
+  }
+  if (!shaded && scene.Optics != OpticalModel::AbsorptionEmission)
+  {
+    warnings.push_back("the stock mapper renders absorption and emission instead");
+  }
 }
 
 vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(const SceneDescription& scene)
@@ -46,6 +54,9 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(const SceneDescriptio
     auto mapper = vtkSmartPointer<vtkIlluminatedVolumeMapper>::New();
     mapper->SetShadowTechniqueToRays();
     mapper->SetShadowSampleDistance(*scene.Shadows.SampleDistance);
+    mapper->SetGradientEstimator(static_cast<int>(scene.Gradient));
+    mapper->SetGradientTextureBits(scene.GradientTexture);
+    mapper->SetOpticalModel(OpticalModelOf(scene.Optics));
     return mapper;
   }
   return vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
@@ -80,27 +91,6 @@ void AddClippingPlanes(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(const SceneDescription& scene)
-{
-  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
-  property->SetInterpolationTypeToLinear();
-  const TransferFunctionDescription& function = scene.TransferFunction;
-  property->SetScalarOpacity(MakeFunction(*function.Opacity));
-  property->SetColor(MakeColorFunction(*function.Color));
-  property->SetScalarOpacityUnitDistance(*function.OpacityUnitDistance);
-  if (function.GradientOpacity)
-  {
-    property->SetGradientOpacity(MakeFunction(*function.GradientOpacity));
-  }
-  property->SetShade(scene.Shade);
-  property->SetAmbient(scene.Material.Ambient);
-  property->SetDiffuse(scene.Material.Diffuse);
-  property->SetSpecular(scene.Material.Specular);
-  property->SetSpecularPower(scene.Material.SpecularPower);
-  return property;
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeMapper(
   const SceneDescription& scene, const SceneVoxels& voxels, std::vector<std::string>& warnings)
 {
@@ -119,6 +109,10 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeMapper(
     mapper->SetMaskTypeToBinary();
   }
   AddClippingPlanes(scene, mapper, warnings);
+  if (scene.Renderer == RendererChoice::StockMapper)
+  {
+    TellReplacements(scene, warnings);
+  }
   return mapper;
 }
 

@@ -1,12 +1,13 @@
 /**
  * @file    SceneVolume.h
- * @brief   a scene's volume: its voxels, its appearance and the mapper that draws it
+ * @brief   a scene's volume: its voxels and the mapper that draws it
  */
 
 #ifndef SceneVolume_h
 #define SceneVolume_h
 
 #include "SceneDescription.h"
+#include "SceneMaterial.h"
 
 #include <vtkSmartPointer.h>
 
@@ -17,7 +18,6 @@
 
 class vtkGPUVolumeRayCastMapper;
 class vtkImageData;
-class vtkVolumeProperty;
 
 namespace penumbra
 {
@@ -28,6 +28,7 @@ struct SceneVoxels
   vtkSmartPointer<vtkImageData> Volume;
   /// Bytes, in the volume's geometry; 0 hides. Null: no mask.
   vtkSmartPointer<vtkImageData> Mask;
+  EnvironmentImages Environment{};
 };
 
 /// How files are read.
@@ -45,9 +46,6 @@ struct VoxelReading
  */
 SceneVoxels ReadVoxels(
   const VolumeDescription& volume, const VoxelReading& reading, std::vector<std::string>& warnings);
-
-/// Transfer functions and material of a resolved scene.
-vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(const SceneDescription& scene);
 
 /**
  * The mapper that a resolved scene asks for, with its input, steps, cropping, mask and clipping

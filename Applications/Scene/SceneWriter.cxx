@@ -65,10 +65,83 @@ Json WriteTransferFunction(const TransferFunctionDescription& function)
   return json;
 }
 
-Json WriteMaterial(const MaterialDescription& material)
+const char* NameOf(ReflectionModel model)
 {
-  return { { "model", "phong" }, { "ambient", material.Ambient }, { "diffuse", material.Diffuse },
-    { "specular", material.Specular }, { "specularPower", material.SpecularPower } };
+  switch (model)
+  {
+    case ReflectionModel::BlinnPhong:
+      return "blinn-phong";
+    case ReflectionModel::OrenNayar:
+      return "oren-nayar";
+    case ReflectionModel::Ward:
+      return "ward";
+    case ReflectionModel::WardAnisotropic:
+      return "ward-anisotropic";
+    case ReflectionModel::CookTorrance:
+      return "cook-torrance";
+    case ReflectionModel::ReflectionMap:
+      return "reflection-map";
+    default:
+      return "phong";
+  }
+}
+
+const char* NameOf(OpticalModel model)
+{
+  switch (model)
+  {
+    case OpticalModel::Absorption:
+      return "absorption";
+    case OpticalModel::Emission:
+      return "emission";
+    case OpticalModel::AbsorptionEmission:
+      return "absorption-emission";
+    default:
+      return "single-scattering";
+  }
+}
+
+const char* NameOf(GradientEstimator estimator)
+{
+  switch (estimator)
+  {
+    case GradientEstimator::ForwardDifferences:
+      return "forward";
+    case GradientEstimator::BackwardDifferences:
+      return "backward";
+    case GradientEstimator::Sobel:
+      return "sobel";
+    default:
+      return "central";
+  }
+}
+
+Json WriteMaterial(const MaterialDescription& material, const std::filesystem::path& folder)
+{
+  Json json = { { "model", NameOf(material.Model) }, { "ambient", material.Ambient },
+    { "diffuse", material.Diffuse }, { "specular", material.Specular },
+    { "specularPower", material.SpecularPower }, { "roughness", material.Roughness },
+    { "roughnessX", material.RoughnessX }, { "roughnessY", material.RoughnessY },
+    { "preferredDirection", material.PreferredDirection }, { "slope", material.Slope },
+    { "distribution",
+      material.Distribution == FacetDistribution::Gaussian ? "gaussian" : "beckmann" },
+    { "gaussianConstant", material.GaussianConstant },
+    { "indexOfRefraction", material.IndexOfRefraction } };
+  std::vector<std::string> images;
+  for (const auto& image : material.EnvironmentMap)
+  {
+    images.push_back(NameFrom(folder, image, "material.environmentMap"));
+  }
+  if (images.size() == 1)
+  {
+    json["environmentMap"] = images.front();
+  }
+  else if (!images.empty())
+  {
+    json["environmentMap"] = images;
+  }
+  json["noiseFading"] = material.NoiseFading;
+  return json;
 }
 
 const char* NameOf(LightType type)
@@ -190,10 +263,11 @@ std::string WriteScene(const SceneDescription& scene, const std::filesystem::pat
   Json json;
   json["volume"] = WriteVolume(scene.Volume, folder);
   json["transferFunction"] = WriteTransferFunction(scene.TransferFunction);
-  json["shade"] = scene.Shade;
-  json["material"] = WriteMaterial(scene.Material);
-  json["opticalModel"] = scene.Shade ? "single-scattering" : "absorption-emission";
-  json["gradient"] = "central";
+  json["shade"] = scene.Optics == OpticalModel::SingleScattering;
+  json["material"] = WriteMaterial(scene.Material, folder);
+  json["opticalModel"] = NameOf(scene.Optics);
+  json["gradient"] = NameOf(scene.Gradient);
+  json["gradientTexture"] = scene.GradientTexture;
   json["lights"] = WriteLights(scene.Lights);
   json["twoSidedLighting"] = scene.TwoSidedLighting;
   json["shadows"] = WriteShadows(scene.Shadows);

@@ -3,6 +3,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkVolumeLight.h"
+#include "vtkVolumeMaterial.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -51,9 +52,9 @@ bool HasGradientOpacity(vtkVolumeProperty* property)
 
 auto AsTuple(const LightingRequirements& r)
 {
-  return std::tie(r.Shade, r.Lights, r.Technique, r.Reflection, r.Gradient, r.Diffuse, r.Specular,
-    r.TwoSidedLighting, r.Attenuation, r.GradientOpacity, r.ClippingPlanes, r.Cropping, r.Mask,
-    r.Opacity);
+  return std::tie(r.Optics, r.Lights, r.Technique, r.Reflection, r.Gradient, r.GradientTexture,
+    r.NoiseFading, r.Diffuse, r.Specular, r.TwoSidedLighting, r.Attenuation, r.GradientOpacity,
+    r.ClippingPlanes, r.Cropping, r.Mask, r.Opacity);
 }
 
 RequirementEntry Flag(const std::string& name, bool needed)
@@ -69,6 +70,93 @@ RequirementEntry Count(const std::string& name, int count)
 RequirementEntry Choice(const std::string& name, const std::string& value, bool needed)
 {
   return { name, needed ? value : "none", needed };
+}
+
+// Which terms a material reflects, whatever the light.
+struct ReflectedTerms
+{
+  bool Diffuse;
+  bool Specular;
+};
+
+ReflectedTerms GetReflectedTerms(vtkVolumeProperty* property)
+{
+  const bool diffuse = property->GetDiffuse(0) > 0.0;
+  const bool specular = property->GetSpecular(0) > 0.0;
+  return { diffuse, specular && GetReflectionModel(property) != ReflectionModel::OrenNayar };
+}
+
+bool Brightens(vtkLight* light, const double color[3])
+{
+  return light->GetIntensity() > 0.0 && !IsBlack(color);
+}
+
+bool FadesNoise(vtkVolumeProperty* property)
+{
+  auto* material = vtkVolumeMaterial::SafeDownCast(property);
+  return material && material->GetNoiseFading() > 0.0;
+}
+
+void AddLights(vtkLightCollection* lights, vtkVolumeProperty* property, LightingRequirements& needs)
+{
+  const ReflectedTerms terms = GetReflectedTerms(property);
+  VisitLightsThatAreOn(lights,
+    [&](vtkLight* light)
+    {
+      if (!LightMatters(light, property))
+      {
+        return;
+      }
+      const auto kind = static_cast<int>(GetLightKind(light));
+      ++needs.Lights[kind][static_cast<int>(GetShadowKind(light))];
+      needs.Diffuse = needs.Diffuse || (terms.Diffuse && !IsBlack(light->GetDiffuseColor()));
+      needs.Specular = needs.Specular || (terms.Specular && !IsBlack(light->GetSpecularColor()));
+      needs.Attenuation = needs.Attenuation || HasAttenuation(light);
+    });
+}
+
+void AddEnvironment(vtkVolumeProperty* property, LightingRequirements& needs)
+{
+  const ReflectedTerms terms = GetReflectedTerms(property);
+  needs.Diffuse = terms.Diffuse;
+  needs.Specular = terms.Specular;
+}
+
+void AddReflection(const LightedScene& scene, LightingRequirements& needs)
+{
+  const ReflectionModel model = GetReflectionModel(scene.Property);
+  AddLights(scene.Lights, scene.Property, needs);
+  needs.TwoSidedLighting = scene.TwoSidedLighting && needs.GetNumberOfLights() > 0;
+  if (model == ReflectionModel::ReflectionMap && scene.EnvironmentMap)
+  {
+    AddEnvironment(scene.Property, needs);
+  }
+  if (needs.Diffuse || needs.Specular)
+  {
+    needs.Reflection = model;
+    needs.NoiseFading = FadesNoise(scene.Property);
+  }
+}
+
+const char* GetName(OpticalModel model)
+{
+  static const char* const names[] = { "absorption", "emission", "absorption-emission",
+    "single-scattering" };
+  return names[static_cast<int>(model)];
+}
+
+const char* GetName(ReflectionModel model)
+{
+  static const char* const names[] = { "phong", "blinn-phong", "oren-nayar", "ward",
+    "ward-anisotropic", "cook-torrance", "reflection-map" };
+  return names[static_cast<int>(model)];
+}
+
+const char* GetName(GradientEstimator estimator)
+{
+  static const char* const names[] = { "central differences", "forward differences",
+    "backward differences", "sobel" };
+  return names[static_cast<int>(estimator)];
 }
 
 const char* GetLookupName(TransferFunctionLookup lookup)
@@ -126,25 +214,35 @@ int LightingRequirements::GetNumberOfShadowedLights() const
 std::vector<RequirementEntry> LightingRequirements::GetEntries() const
 {
   const bool normal = this->NeedsNormal();
-  const int positional =
-    this->GetNumberOfLights(LightKind::Point) + this->GetNumberOfLights(LightKind::Spot);
+  const bool positional =
+    this->GetNumberOfLights(LightKind::Point) + this->GetNumberOfLights(LightKind::Spot) > 0;
+  const bool lit = this->GetNumberOfLights() > 0;
+  const int environmentMaps =
+    this->NeedsEnvironment() ? static_cast<int>(this->Diffuse) + this->Specular : 0;
   return {
+    Choice("optical model", GetName(this->Optics), true),
     Choice("opacity", GetLookupName(this->Opacity), true),
+    Flag("colour", this->NeedsColor()),
     Flag("gradient opacity", this->GradientOpacity),
     Count("clipping planes", this->ClippingPlanes),
     Choice("cropping", this->Cropping == CroppingKind::Regions ? "regions" : "box",
       this->Cropping != CroppingKind::None),
     Flag("mask", this->Mask),
-    Flag("shading", this->Shade),
-    Choice("gradient", "central differences", this->NeedsGradient()),
-    Choice("reflection model", "phong", normal),
+    Flag("shading", this->IsShaded()),
+    Choice("gradient", GetName(this->Gradient), this->NeedsGradient()),
+    Flag("gradient texture", this->NeedsGradient() && this->GradientTexture),
+    Choice("reflection model", GetName(this->Reflection), normal),
     Flag("diffuse term", this->Diffuse),
     Flag("specular term", this->Specular),
+    Flag("fresnel term", lit && this->Specular && this->HasFresnelTerm()),
+    Flag("preferred direction", lit && this->HasPreferredDirection()),
+    Count("environment maps", environmentMaps),
+    Flag("noise fading", this->NoiseFading),
     Flag("two-sided lighting", this->TwoSidedLighting),
     Count("directional lights", this->GetNumberOfLights(LightKind::Directional)),
     Count("point lights", this->GetNumberOfLights(LightKind::Point)),
     Count("spot lights", this->GetNumberOfLights(LightKind::Spot)),
-    Flag("attenuation", positional > 0 && this->Attenuation),
+    Flag("attenuation", positional && this->Attenuation),
     Count("soft shadows", this->GetNumberOfLights(ShadowKind::Soft)),
     Count("hard shadows", this->GetNumberOfLights(ShadowKind::Hard)),
     Choice("shadow technique", "rays", this->GetNumberOfShadowedLights() > 0),
@@ -183,11 +281,20 @@ ShadowKind GetShadowKind(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
-bool LightsMatter(vtkLight* light, double diffuse, double specular)
+ReflectionModel GetReflectionModel(vtkVolumeProperty* property)
 {
-  return light->GetIntensity() > 0.0 &&
-    ((diffuse > 0.0 && !IsBlack(light->GetDiffuseColor())) ||
-      (specular > 0.0 && !IsBlack(light->GetSpecularColor())));
+  auto* material = vtkVolumeMaterial::SafeDownCast(property);
+  return material ? static_cast<ReflectionModel>(material->GetReflectionModel())
+                  : ReflectionModel::Phong;
+}
+
+//------------------------------------------------------------------------------
+bool LightMatters(vtkLight* light, vtkVolumeProperty* property)
+{
+  const ReflectedTerms terms = GetReflectedTerms(property);
+  return GetReflectionModel(property) != ReflectionModel::ReflectionMap &&
+    ((terms.Diffuse && Brightens(light, light->GetDiffuseColor())) ||
+      (terms.Specular && Brightens(light, light->GetSpecularColor())));
 }
 
 //------------------------------------------------------------------------------
@@ -199,27 +306,18 @@ LightingRequirements ComputeLightingRequirements(const LightedScene& scene)
   needs.Cropping = scene.Cropping;
   needs.Mask = scene.Mask;
   needs.Opacity = scene.Opacity;
-  needs.Shade = scene.Property->GetShade(0) != 0;
-  if (!needs.Shade)
+  const OpticalModel byShade = scene.Property->GetShade(0) != 0 ? OpticalModel::SingleScattering
+                                                                : OpticalModel::AbsorptionEmission;
+  needs.Optics = scene.Optics.value_or(byShade);
+  if (needs.IsShaded())
   {
-    return needs;
+    AddReflection(scene, needs);
   }
-  const double diffuse = scene.Property->GetDiffuse(0);
-  const double specular = scene.Property->GetSpecular(0);
-  VisitLightsThatAreOn(scene.Lights,
-    [&](vtkLight* light)
-    {
-      if (!LightsMatter(light, diffuse, specular))
-      {
-        return;
-      }
-      const auto kind = static_cast<int>(GetLightKind(light));
-      ++needs.Lights[kind][static_cast<int>(GetShadowKind(light))];
-      needs.Diffuse = needs.Diffuse || (diffuse > 0.0 && !IsBlack(light->GetDiffuseColor()));
-      needs.Specular = needs.Specular || (specular > 0.0 && !IsBlack(light->GetSpecularColor()));
-      needs.Attenuation = needs.Attenuation || HasAttenuation(light);
-    });
-  needs.TwoSidedLighting = scene.TwoSidedLighting && needs.NeedsNormal();
+  if (needs.NeedsGradient())
+  {
+    needs.Gradient = scene.Gradient;
+    needs.GradientTexture = scene.GradientTexture;
+  }
   return needs;
 }
 

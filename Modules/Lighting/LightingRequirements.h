@@ -13,6 +13,7 @@
 #include "PenumbraLightingModule.h" // For export macro
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,14 +49,36 @@ enum class ShadowTechnique
   Rays
 };
 
+/// How matter reflects light; the values are those of vtkVolumeMaterial::ReflectionModelType.
 enum class ReflectionModel
 {
-  Phong
+  Phong,
+  BlinnPhong,
+  OrenNayar,
+  Ward,
+  WardAnisotropic,
+  CookTorrance,
+  ReflectionMap
 };
 
+/// How the gradient of the scalar field is estimated; the values are those of
+/// vtkIlluminatedVolumeMapper::GradientEstimatorType.
 enum class GradientEstimator
 {
-  CentralDifferences
+  CentralDifferences,
+  ForwardDifferences,
+  BackwardDifferences,
+  Sobel
+};
+
+/// What matter does with light (Max 1995): absorbs that from behind, emits its colour, both, or
+/// absorbs and scatters the lights' once.
+enum class OpticalModel
+{
+  Absorption,
+  Emission,
+  AbsorptionEmission,
+  SingleScattering
 };
 
 /// What cropping hides: nothing, all outside of one box, or any selection of the 27 regions.
@@ -84,13 +107,17 @@ struct RequirementEntry
 
 struct PENUMBRALIGHTING_EXPORT LightingRequirements
 {
-  /// False: every sample has the colour of the transfer function and no light matters.
-  bool Shade = false;
+  /// Lights matter in single scattering alone.
+  OpticalModel Optics = OpticalModel::AbsorptionEmission;
   /// Lights whose diffuse or specular term can change the picture, by kind and shadow state.
   std::array<std::array<int, NumberOfShadowKinds>, NumberOfLightKinds> Lights{};
   ShadowTechnique Technique = ShadowTechnique::Rays;
   ReflectionModel Reflection = ReflectionModel::Phong;
   GradientEstimator Gradient = GradientEstimator::CentralDifferences;
+  /// Gradients are looked up, not estimated at each sample.
+  bool GradientTexture = false;
+  /// Directional reflection fades out where the gradient is no more than noise.
+  bool NoiseFading = false;
   bool Diffuse = false;
   bool Specular = false;
   bool TwoSidedLighting = false;
@@ -109,7 +136,18 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   int GetNumberOfLights(LightKind kind) const;
   int GetNumberOfLights(ShadowKind shadow) const;
   int GetNumberOfShadowedLights() const;
-  bool NeedsNormal() const { return this->GetNumberOfLights() > 0; }
+  bool IsShaded() const { return this->Optics == OpticalModel::SingleScattering; }
+  bool NeedsColor() const { return this->Optics != OpticalModel::Absorption; }
+  bool NeedsEnvironment() const
+  {
+    return this->Reflection == ReflectionModel::ReflectionMap && (this->Diffuse || this->Specular);
+  }
+  bool HasFresnelTerm() const { return this->Reflection == ReflectionModel::CookTorrance; }
+  bool HasPreferredDirection() const
+  {
+    return this->Reflection == ReflectionModel::WardAnisotropic;
+  }
+  bool NeedsNormal() const { return this->GetNumberOfLights() > 0 || this->NeedsEnvironment(); }
   bool NeedsGradient() const { return this->NeedsNormal() || this->GradientOpacity; }
 
   /// All requirements with their values, in the order of the data.
@@ -121,8 +159,15 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
 /// What of the scene the requirements depend on.
 struct LightedScene
 {
-  /// The transfer functions, Shade and the material of the first component. Not null.
+  /// The transfer functions, Shade and the material of the first component; a vtkVolumeMaterial's
+  /// reflection model too. Not null.
   vtkVolumeProperty* Property = nullptr;
+  /// Empty: as Shade of the property says, single scattering, or absorption and emission.
+  std::optional<OpticalModel> Optics;
+  GradientEstimator Gradient = GradientEstimator::CentralDifferences;
+  bool GradientTexture = false;
+  /// The material's environment map can be shown.
+  bool EnvironmentMap = false;
   /// The renderer's lights. Null counts as empty.
   vtkLightCollection* Lights = nullptr;
   bool TwoSidedLighting = true;
@@ -141,9 +186,12 @@ PENUMBRALIGHTING_EXPORT LightKind GetLightKind(vtkLight* light);
 /// Shadow state of a light; a plain vtkLight has none.
 PENUMBRALIGHTING_EXPORT ShadowKind GetShadowKind(vtkLight* light);
 
-/// Whether the light's diffuse or specular term can change a picture with these material factors.
-/// The ambient term needs no light in the program.
-PENUMBRALIGHTING_EXPORT bool LightsMatter(vtkLight* light, double diffuse, double specular);
+/// By which model a property reflects light: Phong's, unless it is a vtkVolumeMaterial.
+PENUMBRALIGHTING_EXPORT ReflectionModel GetReflectionModel(vtkVolumeProperty* property);
+
+/// Whether the light's diffuse or specular term can change a picture of this material. The ambient
+/// term needs no light in the program.
+PENUMBRALIGHTING_EXPORT bool LightMatters(vtkLight* light, vtkVolumeProperty* property);
 
 /**
  * The sum of ambient colours times intensities over all lights that are on. Where every one of them

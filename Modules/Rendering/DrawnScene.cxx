@@ -21,6 +21,7 @@ void DrawnScene::SetUniforms(vtkShaderProgram* program) const
   this->SetRayUniforms(program);
   this->SetVisibilityUniforms(program);
   this->Lights.Set(program);
+  this->Material.Set(program);
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "LightUniforms.h"
 #include "LightingRequirements.h"
 #include "MarchingPlan.h"
+#include "MaterialUniforms.h"
 #include "ViewRays.h"
 #include "VolumePlacement.h"
 
@@ -26,6 +27,7 @@ struct DrawnScene
   ViewRays Rays;
   LightingRequirements Requirements;
   LightUniforms Lights;
+  MaterialUniforms Material;
   std::vector<std::array<double, 4>> ClippingPlanes; ///< in texture coordinates
   Vector3 CroppingLow{};                             ///< in texture coordinates
   Vector3 CroppingHigh{};

@@ -37,8 +37,7 @@ void VisitLightsThatMatter(vtkLightCollection* lights, vtkVolumeProperty* proper
   lights->InitTraversal(cursor);
   while (vtkLight* light = lights->GetNextLight(cursor))
   {
-    if (light->GetSwitch() &&
-      LightsMatter(light, property->GetDiffuse(0), property->GetSpecular(0)))
+    if (light->GetSwitch() && LightMatters(light, property))
     {
       visit(light);
     }
@@ -135,7 +134,6 @@ LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* p
   const VolumePlacement& placement, const Vector3& cameraDirection)
 {
   LightUniforms uniforms;
-  uniforms.SpecularPower = static_cast<float>(property->GetSpecularPower(0));
   for (vtkLight* light : SortLights(lights, property))
   {
     if (GetLightKind(light) == LightKind::Directional)
@@ -204,7 +202,6 @@ void LightUniforms::Set(vtkShaderProgram* program) const
   setPairs("scene_lightCone", this->Cone);
   setPairs("scene_lightShadow", this->Shadow);
   program->SetUniform3f("scene_ambient", this->Ambient.data());
-  program->SetUniformf("scene_specularPower", this->SpecularPower);
 }
 
 }

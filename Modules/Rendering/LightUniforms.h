@@ -32,7 +32,6 @@ struct LightUniforms
   std::vector<Vector2f> Cone;
   std::vector<Vector2f> Shadow;
   Vector3f Ambient{};
-  float SpecularPower = 1.0f;
 
   /// ambient: sum of the lights' ambient colours; factor: the material's.
   void SetAmbient(const std::array<double, 3>& ambient, double factor);

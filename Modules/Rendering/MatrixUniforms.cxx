@@ -1,6 +1,7 @@
 #include "MatrixUniforms.h"
 
 #include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
 
 namespace penumbra
 {
@@ -86,6 +87,15 @@ void SetUniform(vtkShaderProgram* program, const char* name, const Matrix4& matr
   {
     auto columns = ToColumns<4>(matrix);
     program->SetUniformMatrix4x4(name, columns.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetSampler(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
+{
+  if (program->IsUniformUsed(name))
+  {
+    program->SetUniformi(name, texture->GetTextureUnit());
   }
 }
 

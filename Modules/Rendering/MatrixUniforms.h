@@ -1,6 +1,6 @@
 /**
  * @file    MatrixUniforms.h
- * @brief   matrices and vectors in double precision to the floats of a shader's uniforms
+ * @brief   values in double precision to the floats of a shader's uniforms, and textures
  *
  * Uniforms that the program does not use are passed over.
  */
@@ -13,6 +13,7 @@
 #include <array>
 
 class vtkShaderProgram;
+class vtkTextureObject;
 
 namespace penumbra
 {
@@ -23,6 +24,8 @@ void SetUniform(vtkShaderProgram* program, const char* name, const Vector3& vect
 void SetUniform(vtkShaderProgram* program, const char* name, const std::array<double, 4>& vector);
 void SetUniform(vtkShaderProgram* program, const char* name, const Matrix3& matrix);
 void SetUniform(vtkShaderProgram* program, const char* name, const Matrix4& matrix);
+/// The unit that the texture is bound to, where the program has such a sampler.
+void SetSampler(vtkShaderProgram* program, const char* name, vtkTextureObject* texture);
 
 }
 

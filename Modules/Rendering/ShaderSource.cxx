@@ -8,15 +8,32 @@
 #include "GlslBoxVertex.h"
 #include "GlslClippingNone.h"
 #include "GlslClippingPlanes.h"
+#include "GlslColorPoints.h"
+#include "GlslColorTable.h"
 #include "GlslCompositeAccumulation.h"
+#include "GlslCompositingAdd.h"
+#include "GlslCompositingOver.h"
+#include "GlslCosines.h"
+#include "GlslCosinesPreferred.h"
 #include "GlslCroppingBox.h"
 #include "GlslCroppingRegions.h"
 #include "GlslDeclarations.h"
 #include "GlslDiffuseNone.h"
 #include "GlslDiffuseTerm.h"
+#include "GlslEnvironmentDiffuse.h"
+#include "GlslEnvironmentDiffuseNone.h"
+#include "GlslEnvironmentSpecular.h"
+#include "GlslEnvironmentSpecularNone.h"
+#include "GlslFadingNoise.h"
+#include "GlslFadingNone.h"
+#include "GlslFresnel.h"
+#include "GlslGradientBackward.h"
 #include "GlslGradientCentral.h"
+#include "GlslGradientForward.h"
 #include "GlslGradientOpacityNone.h"
 #include "GlslGradientOpacityTable.h"
+#include "GlslGradientSobel.h"
+#include "GlslGradientTexture.h"
 #include "GlslLightFalloff.h"
 #include "GlslLightPoint.h"
 #include "GlslLights.h"
@@ -25,11 +42,19 @@
 #include "GlslLightsSpot.h"
 #include "GlslMaskBinary.h"
 #include "GlslMaskNone.h"
+#include "GlslNormal.h"
 #include "GlslOpacityPoints.h"
 #include "GlslOpacityTable.h"
+#include "GlslReflectionBlinnPhong.h"
+#include "GlslReflectionCookTorrance.h"
+#include "GlslReflectionOrenNayar.h"
 #include "GlslReflectionPhong.h"
+#include "GlslReflectionWard.h"
+#include "GlslReflectionWardAnisotropic.h"
 #include "GlslSegmentDepth.h"
 #include "GlslShadingAmbient.h"
+#include "GlslShadingBlack.h"
+#include "GlslShadingEnvironment.h"
 #include "GlslShadingLights.h"
 #include "GlslShadingNone.h"
 #include "GlslShadowHardRay.h"
@@ -37,6 +62,7 @@
 #include "GlslShadowSoftRay.h"
 #include "GlslSidesOne.h"
 #include "GlslSidesTwo.h"
+#include "GlslSpecularFresnel.h"
 #include "GlslSpecularNone.h"
 #include "GlslSpecularTerm.h"
 #include "GlslTransmittance.h"
@@ -66,6 +92,23 @@ bool IsPositional(const Needs& needs)
   return needs.GetNumberOfLights(LightKind::Point) + needs.GetNumberOfLights(LightKind::Spot) > 0;
 }
 
+bool Lit(const Needs& needs)
+{
+  return needs.GetNumberOfLights() > 0;
+}
+
+template <ReflectionModel Model>
+bool ReflectsBy(const Needs& needs, bool)
+{
+  return Lit(needs) && needs.Reflection == Model;
+}
+
+template <GradientEstimator Estimator>
+bool EstimatesBy(const Needs& needs, bool)
+{
+  return needs.NeedsGradient() && !needs.GradientTexture && needs.Gradient == Estimator;
+}
+
 bool Shadowed(const Needs& needs)
 {
   return needs.GetNumberOfShadowedLights() > 0;
@@ -81,24 +124,50 @@ const Snippet FragmentSnippets[] = {
     [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Table; } },
   { GlslOpacityPoints,
     [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Points; } },
+  { GlslColorTable,
+    [](const Needs& n, bool)
+    { return n.NeedsColor() && n.Opacity == TransferFunctionLookup::Table; } },
+  { GlslColorPoints,
+    [](const Needs& n, bool)
+    { return n.NeedsColor() && n.Opacity == TransferFunctionLookup::Points; } },
   { GlslClippingNone, [](const Needs& n, bool) { return n.ClippingPlanes == 0; } },
   { GlslClippingPlanes, [](const Needs& n, bool) { return n.ClippingPlanes > 0; } },
   { GlslCroppingBox, [](const Needs& n, bool) { return n.Cropping != CroppingKind::Regions; } },
   { GlslCroppingRegions, [](const Needs& n, bool) { return n.Cropping == CroppingKind::Regions; } },
   { GlslMaskNone, [](const Needs& n, bool) { return !n.Mask; } },
   { GlslMaskBinary, [](const Needs& n, bool) { return n.Mask; } },
-  { GlslGradientCentral, [](const Needs& n, bool) { return n.NeedsGradient(); } },
+  { GlslGradientCentral, EstimatesBy<GradientEstimator::CentralDifferences> },
+  { GlslGradientForward, EstimatesBy<GradientEstimator::ForwardDifferences> },
+  { GlslGradientBackward, EstimatesBy<GradientEstimator::BackwardDifferences> },
+  { GlslGradientSobel, EstimatesBy<GradientEstimator::Sobel> },
+  { GlslGradientTexture,
+    [](const Needs& n, bool) { return n.NeedsGradient() && n.GradientTexture; } },
   { GlslGradientOpacityNone, [](const Needs& n, bool) { return !n.GradientOpacity; } },
   { GlslGradientOpacityTable, [](const Needs& n, bool) { return n.GradientOpacity; } },
   { GlslSegmentDepth, Always },
-  { GlslReflectionPhong, [](const Needs& n, bool) { return n.NeedsNormal(); } },
-  { GlslSidesOne, [](const Needs& n, bool) { return n.NeedsNormal() && !n.TwoSidedLighting; } },
-  { GlslSidesTwo, [](const Needs& n, bool) { return n.NeedsNormal() && n.TwoSidedLighting; } },
-  { GlslDiffuseNone, [](const Needs& n, bool) { return n.NeedsNormal() && !n.Diffuse; } },
-  { GlslDiffuseTerm, [](const Needs& n, bool) { return n.NeedsNormal() && n.Diffuse; } },
-  { GlslSpecularNone, [](const Needs& n, bool) { return n.NeedsNormal() && !n.Specular; } },
-  { GlslSpecularTerm, [](const Needs& n, bool) { return n.NeedsNormal() && n.Specular; } },
-  { GlslLights, [](const Needs& n, bool) { return n.NeedsNormal(); } },
+  { GlslNormal, [](const Needs& n, bool) { return n.NeedsNormal(); } },
+  { GlslFadingNone, [](const Needs& n, bool) { return n.NeedsNormal() && !n.NoiseFading; } },
+  { GlslFadingNoise, [](const Needs& n, bool) { return n.NeedsNormal() && n.NoiseFading; } },
+  { GlslSidesOne, [](const Needs& n, bool) { return Lit(n) && !n.TwoSidedLighting; } },
+  { GlslSidesTwo, [](const Needs& n, bool) { return Lit(n) && n.TwoSidedLighting; } },
+  { GlslCosines, [](const Needs& n, bool) { return Lit(n) && !n.HasPreferredDirection(); } },
+  { GlslCosinesPreferred,
+    [](const Needs& n, bool) { return Lit(n) && n.HasPreferredDirection(); } },
+  { GlslReflectionPhong, ReflectsBy<ReflectionModel::Phong> },
+  { GlslReflectionBlinnPhong, ReflectsBy<ReflectionModel::BlinnPhong> },
+  { GlslReflectionOrenNayar, ReflectsBy<ReflectionModel::OrenNayar> },
+  { GlslReflectionWard, ReflectsBy<ReflectionModel::Ward> },
+  { GlslReflectionWardAnisotropic, ReflectsBy<ReflectionModel::WardAnisotropic> },
+  { GlslReflectionCookTorrance, ReflectsBy<ReflectionModel::CookTorrance> },
+  { GlslDiffuseNone, [](const Needs& n, bool) { return Lit(n) && !n.Diffuse; } },
+  { GlslDiffuseTerm, [](const Needs& n, bool) { return Lit(n) && n.Diffuse; } },
+  { GlslSpecularNone, [](const Needs& n, bool) { return Lit(n) && !n.Specular; } },
+  { GlslSpecularTerm,
+    [](const Needs& n, bool) { return Lit(n) && n.Specular && !n.HasFresnelTerm(); } },
+  { GlslFresnel, [](const Needs& n, bool) { return Lit(n) && n.Specular && n.HasFresnelTerm(); } },
+  { GlslSpecularFresnel,
+    [](const Needs& n, bool) { return Lit(n) && n.Specular && n.HasFresnelTerm(); } },
+  { GlslLights, [](const Needs& n, bool) { return Lit(n); } },
   { GlslShadowRay, [](const Needs& n, bool) { return Shadowed(n); } },
   { GlslShadowSoftRay,
     [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Soft) > 0; } },
@@ -114,9 +183,21 @@ const Snippet FragmentSnippets[] = {
   { GlslLightsPoint,
     [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Point) > 0; } },
   { GlslLightsSpot, [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Spot) > 0; } },
-  { GlslShadingNone, [](const Needs& n, bool) { return !n.Shade; } },
-  { GlslShadingAmbient, [](const Needs& n, bool) { return n.Shade && !n.NeedsNormal(); } },
-  { GlslShadingLights, [](const Needs& n, bool) { return n.NeedsNormal(); } },
+  { GlslEnvironmentDiffuseNone,
+    [](const Needs& n, bool) { return n.NeedsEnvironment() && !n.Diffuse; } },
+  { GlslEnvironmentDiffuse,
+    [](const Needs& n, bool) { return n.NeedsEnvironment() && n.Diffuse; } },
+  { GlslEnvironmentSpecularNone,
+    [](const Needs& n, bool) { return n.NeedsEnvironment() && !n.Specular; } },
+  { GlslEnvironmentSpecular,
+    [](const Needs& n, bool) { return n.NeedsEnvironment() && n.Specular; } },
+  { GlslShadingBlack, [](const Needs& n, bool) { return !n.NeedsColor(); } },
+  { GlslShadingNone, [](const Needs& n, bool) { return n.NeedsColor() && !n.IsShaded(); } },
+  { GlslShadingAmbient, [](const Needs& n, bool) { return n.IsShaded() && !n.NeedsNormal(); } },
+  { GlslShadingEnvironment, [](const Needs& n, bool) { return n.NeedsEnvironment(); } },
+  { GlslShadingLights, [](const Needs& n, bool) { return Lit(n); } },
+  { GlslCompositingAdd, [](const Needs& n, bool) { return n.Optics == OpticalModel::Emission; } },
+  { GlslCompositingOver, [](const Needs& n, bool) { return n.Optics != OpticalModel::Emission; } },
   { GlslAccumulationNone, [](const Needs&, bool continued) { return !continued; } },
   { GlslAccumulationPrevious, [](const Needs&, bool continued) { return continued; } },
   { GlslViewRay, Always },

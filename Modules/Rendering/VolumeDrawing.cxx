@@ -32,6 +32,7 @@ void VolumeDrawing::SetUniforms(vtkShaderProgram* program)
   SetUniform(program, "scene_boxToClip", this->Box.GetBoxToClip(this->Scene->Rays.TextureToClip));
   this->Scene->SetUniforms(program);
   this->Textures.SetUniforms(program, this->Scene->Placement, this->Scene->UnitDistance);
+  this->Environment.SetUniforms(program);
   if (this->Gathering)
   {
     program->SetUniformi("scene_accumulated", this->Accumulation.GetPreviousTextureUnit());
@@ -75,6 +76,7 @@ VolumeDrawing::Result VolumeDrawing::Draw(
   this->Pass->Select(scene.Requirements, this->Gathering);
   this->Pass->ExpectDraw();
   this->Textures.Activate();
+  this->Environment.Activate();
   AccumulationBuffer::Viewport viewport;
   renderer->GetTiledSizeAndOrigin(&viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
   bool gathered = true;
@@ -87,6 +89,7 @@ VolumeDrawing::Result VolumeDrawing::Draw(
     this->DrawPart(renderer, { viewport, 0, scene.Plan.Steps });
   }
   this->Textures.Deactivate();
+  this->Environment.Deactivate();
   this->Scene = nullptr;
   if (!gathered)
   {
@@ -100,6 +103,7 @@ void VolumeDrawing::Release(vtkOpenGLRenderWindow* window)
 {
   this->Box.Release(window);
   this->Textures.Release(window);
+  this->Environment.Release(window);
   this->Accumulation.Release(window);
 }
 

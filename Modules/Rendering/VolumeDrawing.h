@@ -8,6 +8,7 @@
 
 #include "AccumulationBuffer.h"
 #include "DrawnScene.h"
+#include "EnvironmentTextures.h"
 #include "IlluminationPass.h"
 #include "StandInBox.h"
 #include "VolumeTextures.h"
@@ -39,6 +40,8 @@ public:
   Result Draw(vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance);
 
   VolumeTextures& GetTextures() { return this->Textures; }
+  const VolumeTextures& GetTextures() const { return this->Textures; }
+  EnvironmentTextures& GetEnvironment() { return this->Environment; }
   const vtkIlluminationPass* GetPass() const { return this->Pass; }
 
   void Release(vtkOpenGLRenderWindow* window);
@@ -60,6 +63,7 @@ private:
   vtkNew<vtkIlluminationPass> Pass;
   StandInBox Box;
   VolumeTextures Textures;
+  EnvironmentTextures Environment;
   AccumulationBuffer Accumulation;
   const DrawnScene* Scene = nullptr;
   Part Current;

@@ -1,5 +1,6 @@
 #include "VolumeTextures.h"
 
+#include "GradientNoise.h"
 #include "MatrixUniforms.h"
 
 #include "vtkColorTransferFunction.h"
@@ -26,12 +27,14 @@ bool IsInteger(int scalarType)
   return scalarType != VTK_FLOAT && scalarType != VTK_DOUBLE;
 }
 
-// In scalar units per mean voxel: half the range a voxel along each axis, and half as much again
-// for what float rounding adds.
-double BoundGradient(const ScalarRange& range, const double spacing[3])
+// In scalar units per mean voxel: the largest difference a voxel along each axis, and half as much
+// again for what float rounding adds.
+double BoundGradient(const ScalarRange& range, const double spacing[3], GradientEstimator estimator)
 {
+  const bool oneSided = estimator == GradientEstimator::ForwardDifferences ||
+    estimator == GradientEstimator::BackwardDifferences;
   const double mean = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
-  const double perVoxel = 0.75 * (range.High - range.Low);
+  const double perVoxel = (oneSided ? 1.5 : 0.75) * (range.High - range.Low);
   return perVoxel * std::hypot(mean / spacing[0], mean / spacing[1], mean / spacing[2]);
 }
 
@@ -54,14 +57,6 @@ std::array<double, 2> GetTableCoordinate(
   const double perScalar = (texels - 1.0) / (texels * (high - low));
   return { perScalar * scale, (offset - low) * perScalar + 0.5 / texels };
 }
-
-void SetSampler(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
-{
-  if (program->IsUniformUsed(name))
-  {
-    program->SetUniformi(name, texture->GetTextureUnit());
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -83,10 +78,40 @@ bool VolumeTextures::UpdateScalars(
   this->LoadedScalars = scalars;
   this->LoadedImage = image;
   this->LoadedDimensions = dimensions;
-  this->LargestGradient = BoundGradient(this->Scalars.GetRange(), image->GetSpacing());
   this->IntegerData = IsInteger(scalars->GetDataType());
   this->ScalarsTime.Modified();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void VolumeTextures::SetInterpolation(bool linear)
+{
+  this->Scalars.SetInterpolation(linear);
+  this->Gradients.SetInterpolation(linear);
+}
+
+//------------------------------------------------------------------------------
+bool VolumeTextures::UpdateGradients(
+  vtkOpenGLRenderWindow* window, GradientEstimator estimator, int bits)
+{
+  if (bits == 0)
+  {
+    this->Gradients.Release(window);
+    return true;
+  }
+  return this->Gradients.Update(
+    window, this->LoadedScalars, this->LoadedDimensions, this->ScalarsTime, estimator, bits);
+}
+
+//------------------------------------------------------------------------------
+double VolumeTextures::GetNoise()
+{
+  if (this->NoiseTime < this->ScalarsTime)
+  {
+    this->Noise = EstimateNoise(this->LoadedScalars, this->LoadedDimensions);
+    this->NoiseTime.Modified();
+  }
+  return this->Noise;
 }
 
 //------------------------------------------------------------------------------
@@ -115,10 +140,10 @@ bool VolumeTextures::UpdateMask(vtkOpenGLRenderWindow* window, vtkImageData* mas
 
 //------------------------------------------------------------------------------
 void VolumeTextures::UpdateTransferFunctions(
-  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
+  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, GradientEstimator estimator)
 {
   const bool loaded = this->Extinction->GetHandle() || this->Points->GetHandle();
-  if (loaded && property == this->LoadedProperty &&
+  if (loaded && property == this->LoadedProperty && estimator == this->LoadedEstimator &&
     std::max(property->GetMTime(), this->ScalarsTime.GetMTime()) < this->TransferFunctionTime)
   {
     return;
@@ -147,8 +172,9 @@ void VolumeTextures::UpdateTransferFunctions(
   {
     this->LoadPoints(window);
   }
-  this->LoadGradientOpacity(window, property);
+  this->LoadGradientOpacity(window, property, estimator);
   this->LoadedProperty = property;
+  this->LoadedEstimator = estimator;
   this->TransferFunctionTime.Modified();
 }
 
@@ -181,7 +207,8 @@ void VolumeTextures::LoadPoints(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void VolumeTextures::LoadGradientOpacity(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
+void VolumeTextures::LoadGradientOpacity(
+  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, GradientEstimator estimator)
 {
   if (!property->HasGradientOpacity(0) || property->GetDisableGradientOpacity(0))
   {
@@ -190,7 +217,7 @@ void VolumeTextures::LoadGradientOpacity(vtkOpenGLRenderWindow* window, vtkVolum
   }
   this->GradientOpacity = MakeGradientOpacityTable(property->GetGradientOpacity(0),
     std::min(GradientOpacityTableSize, vtkTextureObject::GetMaximumTextureSize(window)),
-    this->LargestGradient);
+    BoundGradient(this->Scalars.GetRange(), this->LoadedImage->GetSpacing(), estimator));
   Prepare(this->GradientOpacityTexture, window, vtkTextureObject::Linear);
   this->GradientOpacityTexture->Create1DFromRaw(
     static_cast<unsigned int>(this->GradientOpacity.Opacity.size()), 1, VTK_FLOAT,
@@ -211,9 +238,9 @@ int VolumeTextures::GetLookupIterations() const
 std::vector<vtkTextureObject*> VolumeTextures::GetLoaded() const
 {
   std::vector<vtkTextureObject*> loaded;
-  for (vtkTextureObject* texture :
-    std::initializer_list<vtkTextureObject*>{ this->Scalars.GetTexture(), this->Mask,
-      this->Extinction, this->Color, this->Points, this->GradientOpacityTexture })
+  for (vtkTextureObject* texture : std::initializer_list<vtkTextureObject*>{
+         this->Scalars.GetTexture(), this->Mask, this->Extinction, this->Color, this->Points,
+         this->GradientOpacityTexture, this->Gradients.GetTexture() })
   {
     if (texture->GetHandle())
     {
@@ -252,6 +279,8 @@ void VolumeTextures::SetUniforms(
   SetSampler(program, "scene_color", this->Color);
   SetSampler(program, "scene_points", this->Points);
   SetSampler(program, "scene_gradientOpacity", this->GradientOpacityTexture);
+  SetSampler(program, "scene_gradients", this->Gradients.GetTexture());
+  SetUniform(program, "scene_gradientScale", this->Gradients.GetScale() / encoding.Scale);
   if (this->Table.Lookup == TransferFunctionLookup::Table)
   {
     const auto coordinate = GetTableCoordinate(this->Table.Low, this->Table.High,
@@ -281,6 +310,7 @@ void VolumeTextures::SetUniforms(
 void VolumeTextures::Release(vtkOpenGLRenderWindow* window)
 {
   this->Scalars.Release(window);
+  this->Gradients.Release(window);
   for (vtkTextureObject* texture : { this->Mask.Get(), this->Extinction.Get(), this->Color.Get(),
          this->Points.Get(), this->GradientOpacityTexture.Get() })
   {

@@ -6,6 +6,7 @@
 #ifndef VolumeTextures_h
 #define VolumeTextures_h
 
+#include "GradientTexture.h"
 #include "ScalarTexture.h"
 #include "TransferFunctionTable.h"
 #include "VolumePlacement.h"
@@ -31,10 +32,14 @@ class VolumeTextures
 public:
   /// Loads the volume's scalars. False where the graphics card cannot hold them.
   bool UpdateScalars(vtkOpenGLRenderWindow* window, vtkImageData* image, vtkDataArray* scalars);
-  void SetInterpolation(bool linear) { this->Scalars.SetInterpolation(linear); }
+  void SetInterpolation(bool linear);
   /// Loads the mask, or drops it where it is null.
   bool UpdateMask(vtkOpenGLRenderWindow* window, vtkImageData* mask);
-  void UpdateTransferFunctions(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
+  void UpdateTransferFunctions(
+    vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, GradientEstimator estimator);
+  /// Keeps the gradients of the scalars that are loaded, bits of 8 or 16 a component, or drops them
+  /// where bits is 0. False where the graphics card cannot hold them.
+  bool UpdateGradients(vtkOpenGLRenderWindow* window, GradientEstimator estimator, int bits);
 
   bool HasNonFiniteScalars() const { return !this->Scalars.GetRange().AllFinite; }
   bool HasMask() const { return this->LoadedMask != nullptr; }
@@ -42,6 +47,11 @@ public:
   TransferFunctionLookup GetLookup() const { return this->Table.Lookup; }
   /// Halvings that a search among the points takes; 0 for a table.
   int GetLookupIterations() const;
+  const GradientTextureReport& GetGradientReport() const { return this->Gradients.GetReport(); }
+  /// Scalar units where the scalar texture holds 1.
+  double GetScalarUnit() const { return this->Scalars.GetEncoding().Scale; }
+  /// Standard deviation of the scalars' noise, found when it is first asked for.
+  double GetNoise();
 
   void Activate();
   void Deactivate();
@@ -53,7 +63,8 @@ public:
 private:
   void LoadTable(vtkOpenGLRenderWindow* window);
   void LoadPoints(vtkOpenGLRenderWindow* window);
-  void LoadGradientOpacity(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
+  void LoadGradientOpacity(
+    vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, GradientEstimator estimator);
   std::vector<vtkTextureObject*> GetLoaded() const;
 
   ScalarTexture Scalars;
@@ -61,8 +72,10 @@ private:
   vtkDataArray* LoadedScalars = nullptr;
   vtkImageData* LoadedImage = nullptr;
   std::array<int, 3> LoadedDimensions{};
-  double LargestGradient = 0.0;
   bool IntegerData = false;
+  GradientTexture Gradients;
+  double Noise = 0.0;
+  vtkTimeStamp NoiseTime;
 
   vtkNew<vtkTextureObject> Mask;
   vtkTimeStamp MaskTime;
@@ -72,6 +85,7 @@ private:
   GradientOpacityTable GradientOpacity;
   vtkTimeStamp TransferFunctionTime;
   vtkVolumeProperty* LoadedProperty = nullptr;
+  GradientEstimator LoadedEstimator = GradientEstimator::CentralDifferences;
   vtkNew<vtkTextureObject> Extinction;
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Points;

@@ -1,6 +1,7 @@
 #include "vtkIlluminatedVolumeMapper.h"
 
 #include "DrawnScene.h"
+#include "GradientNoise.h"
 #include "TakenOver.h"
 #include "VolumeDrawing.h"
 
@@ -17,6 +18,7 @@
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
+#include "vtkVolumeMaterial.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWeakPointer.h"
 
@@ -103,6 +105,35 @@ int vtkIlluminatedVolumeMapper::GetNumberOfDraws() const
 int vtkIlluminatedVolumeMapper::GetNumberOfShaderBuilds() const
 {
   return this->Internal->Drawing.GetPass()->GetNumberOfBuilds();
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedVolumeMapper::SetGradientTextureBits(int bits)
+{
+  const int allowed = bits <= 0 ? 0 : bits <= 8 ? 8 : 16;
+  if (allowed != this->GradientTextureBits)
+  {
+    this->GradientTextureBits = allowed;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkIlluminatedVolumeMapper::GetGradientTextureBytes() const
+{
+  return this->Internal->Drawing.GetTextures().GetGradientReport().Bytes;
+}
+
+//------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetGradientTextureLargestError() const
+{
+  return this->Internal->Drawing.GetTextures().GetGradientReport().LargestError;
+}
+
+//------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetGradientTextureAngularError() const
+{
+  return this->Internal->Drawing.GetTextures().GetGradientReport().MeanAngularError;
 }
 
 //------------------------------------------------------------------------------
@@ -212,6 +243,7 @@ void vtkIlluminatedVolumeMapper::DrawIlluminated(
     return;
   }
   this->PrepareLights(renderer, volume->GetProperty());
+  this->PrepareMaterial(window, volume->GetProperty());
   this->PlanDraws();
   if (this->Internal->AnythingVisible)
   {
@@ -302,7 +334,8 @@ bool vtkIlluminatedVolumeMapper::PrepareTextures(vtkOpenGLRenderWindow* window,
     vtkErrorMacro("The graphics card cannot hold the mask.");
     return false;
   }
-  textures.UpdateTransferFunctions(window, property);
+  textures.UpdateTransferFunctions(
+    window, property, static_cast<penumbra::GradientEstimator>(this->GradientEstimator));
   if (!textures.AreTransferFunctionsAccurate())
   {
     this->Say("The transfer functions change faster than the largest table can follow.");
@@ -353,12 +386,88 @@ void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeP
   }
   lighted.Mask = this->Internal->Drawing.GetTextures().HasMask();
   lighted.Opacity = this->Internal->Drawing.GetTextures().GetLookup();
+  if (this->OpticalModel != ByShade)
+  {
+    lighted.Optics = static_cast<penumbra::OpticalModel>(this->OpticalModel - Absorption);
+  }
+  lighted.Gradient = static_cast<penumbra::GradientEstimator>(this->GradientEstimator);
+  lighted.EnvironmentMap = this->PrepareEnvironment(this->Internal->Window, property);
+  lighted.GradientTexture = this->GradientTextureBits > 0;
   scene.Requirements = ComputeLightingRequirements(lighted);
 
   Vector3 cameraDirection;
   renderer->GetActiveCamera()->GetDirectionOfProjection(cameraDirection.data());
   scene.Lights = MakeLightUniforms(lights, property, scene.Placement, Normalized(cameraDirection));
   scene.Lights.SetAmbient(ComputeAmbientLight(renderer->GetLights()), property->GetAmbient(0));
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedVolumeMapper::PrepareMaterial(
+  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
+{
+  DrawnScene& scene = this->Internal->Scene;
+  scene.Material = MakeMaterialUniforms(property, scene.Placement);
+  this->PrepareGradients(window);
+  if (scene.Requirements.NoiseFading)
+  {
+    this->PrepareNoiseFading(property);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIlluminatedVolumeMapper::PrepareEnvironment(
+  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
+{
+  if (GetReflectionModel(property) != ReflectionModel::ReflectionMap)
+  {
+    return false;
+  }
+  std::string reason;
+  const bool usable = this->Internal->Drawing.GetEnvironment().Update(
+    window, vtkVolumeMaterial::SafeDownCast(property), reason);
+  if (!usable)
+  {
+    this->Say("No environment map is reflected: " + reason + ".");
+  }
+  return usable;
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedVolumeMapper::PrepareGradients(vtkOpenGLRenderWindow* window)
+{
+  LightingRequirements& needs = this->Internal->Scene.Requirements;
+  const int bits = needs.GradientTexture ? this->GradientTextureBits : 0;
+  if (!this->Internal->Drawing.GetTextures().UpdateGradients(window, needs.Gradient, bits))
+  {
+    needs.GradientTexture = false;
+    this->Say("The graphics card cannot hold the gradients; they are estimated at each sample.");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Differences per voxel have the noise of their estimator along each axis, and so the gradient, a
+// linear map of them, has that times the map's Frobenius norm.
+void vtkIlluminatedVolumeMapper::PrepareNoiseFading(vtkVolumeProperty* property)
+{
+  DrawnScene& scene = this->Internal->Scene;
+  VolumeTextures& textures = this->Internal->Drawing.GetTextures();
+  Matrix3 map = scene.Placement.GetGradientToMagnitude();
+  double squares = 0.0;
+  for (const double element : map)
+  {
+    squares += element * element;
+  }
+  const double fading = vtkVolumeMaterial::SafeDownCast(property)->GetNoiseFading();
+  const double noise = GradientNoise(textures.GetNoise(), scene.Requirements.Gradient);
+  constexpr double largest = 1e30;
+  const double factor =
+    std::min(textures.GetScalarUnit() / (fading * noise * std::sqrt(squares)), largest);
+  for (double& element : map)
+  {
+    element *= factor;
+  }
+  scene.Material.GradientToNoise = map;
+  scene.Material.FadedReflection = scene.Requirements.TwoSidedLighting ? 0.5 : 0.25;
 }
 
 //------------------------------------------------------------------------------
@@ -418,6 +527,10 @@ void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ShadowTechnique: " << (this->ShadowTechnique == Rays ? "Rays" : "Auto") << "\n";
   os << indent << "ShadowSampleDistance: " << this->ShadowSampleDistance << "\n";
+  os << indent << "GradientEstimator: " << this->GradientEstimator << "\n";
+  os << indent << "GradientTextureBits: " << this->GradientTextureBits << "\n";
+  os << indent << "GradientTextureBytes: " << this->GetGradientTextureBytes() << "\n";
+  os << indent << "OpticalModel: " << this->OpticalModel << "\n";
   os << indent << "ActualSampleDistance: " << this->GetActualSampleDistance() << "\n";
   os << indent << "ActualShadowSampleDistance: " << this->GetActualShadowSampleDistance() << "\n";
   os << indent << "NumberOfDraws: " << this->GetNumberOfDraws() << "\n";

@@ -7,8 +7,8 @@
  * where VTK keeps them. A vtkLight lights the volume without a shadow, a vtkVolumeLight with the
  * shadow it asks for.
  *
- * Light is absorbed, emitted and scattered once (Max 1995), with Phong's reflection (Phong 1975) at
- * normals by central differences:
+ * Light is absorbed, emitted and scattered once (Max 1995), with the reflection of the volume's
+ * property (Phong's, or what a vtkVolumeMaterial says) at normals against the scalar's gradient:
  *
  *   L = integral of s(t) c(t) T(0,t) dt,  T(0,t) = exp(-integral of s),  alpha = 1 - T
  *   c = C ka sum(Ia) + sum over lights of att spot V (C kd Id F_d + ks Is F_s)
@@ -31,7 +31,7 @@
  * render to image, picking, depth peeling of volumes) it leaves to its superclass, and says so
  * once.
  *
- * @sa vtkVolumeLight
+ * @sa vtkVolumeLight vtkVolumeMaterial
  */
 
 #ifndef vtkIlluminatedVolumeMapper_h
@@ -41,9 +41,10 @@
 #include "PenumbraRenderingModule.h" // For export macro
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 
-#include <memory> // For std::unique_ptr
-#include <string> // For std::string
-#include <vector> // For std::vector
+#include <cstddef> // For std::size_t
+#include <memory>  // For std::unique_ptr
+#include <string>  // For std::string
+#include <vector>  // For std::vector
 
 class vtkDataArray;
 class vtkImageData;
@@ -61,6 +62,24 @@ public:
   {
     Auto = 0,
     Rays = 1
+  };
+
+  /// The values are those of penumbra::GradientEstimator.
+  enum GradientEstimatorType
+  {
+    CentralDifferences = 0,
+    ForwardDifferences = 1,
+    BackwardDifferences = 2,
+    Sobel = 3
+  };
+
+  enum OpticalModelType
+  {
+    ByShade = 0,
+    Absorption = 1,
+    Emission = 2,
+    AbsorptionEmission = 3,
+    SingleScattering = 4
   };
 
   ///@{
@@ -85,6 +104,73 @@ public:
    */
   vtkSetMacro(ShadowSampleDistance, double);
   vtkGetMacro(ShadowSampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * How the gradient of the scalar field is estimated, from interpolated values one voxel away:
+   * CentralDifferences from both sides of each axis, ForwardDifferences and BackwardDifferences
+   * from one, Sobel from the 26 neighbours with weights of 1, 3 and 6, which smooths noise and
+   * costs most. It counts for normals and for gradient opacity. Default: CentralDifferences.
+   */
+  vtkSetClampMacro(GradientEstimator, int, CentralDifferences, Sobel);
+  vtkGetMacro(GradientEstimator, int);
+  void SetGradientEstimatorToCentralDifferences()
+  {
+    this->SetGradientEstimator(CentralDifferences);
+  }
+  void SetGradientEstimatorToForwardDifferences()
+  {
+    this->SetGradientEstimator(ForwardDifferences);
+  }
+  void SetGradientEstimatorToBackwardDifferences()
+  {
+    this->SetGradientEstimator(BackwardDifferences);
+  }
+  void SetGradientEstimatorToSobel() { this->SetGradientEstimator(Sobel); }
+  ///@}
+
+  ///@{
+  /**
+   * Where not 0, gradients are estimated once per volume and kept in a texture of that many bits a
+   * component, 8 or 16, three components a voxel. Interpolating them is the same as estimating at
+   * each sample, up to their rounding, see GetGradientTextureLargestError(). It pays for Sobel.
+   * Values in between count as the next larger ones. Default: 0.
+   */
+  void SetGradientTextureBits(int bits);
+  vtkGetMacro(GradientTextureBits, int);
+  ///@}
+
+  ///@{
+  /**
+   * What keeping gradients costs: bytes of the texture, largest error of a component in scalar
+   * units per voxel, and mean error of the direction in degrees, weighted by the gradient's
+   * magnitude. 0 where the last Render() kept none.
+   */
+  std::size_t GetGradientTextureBytes() const;
+  double GetGradientTextureLargestError() const;
+  double GetGradientTextureAngularError() const;
+  ///@}
+
+  ///@{
+  /**
+   * What matter does with light (Max 1995), T the transmittance, s the extinction, C the colour:
+   *
+   * - Absorption: L = background T.
+   * - Emission: L = background + integral of s C, alpha 0.
+   * - AbsorptionEmission: L = integral of s C T(0,t) + background T.
+   * - SingleScattering: the same with C lit, the sum at the top.
+   *
+   * ByShade: SingleScattering where the property's Shade is on, else AbsorptionEmission. Default:
+   * ByShade.
+   */
+  vtkSetClampMacro(OpticalModel, int, ByShade, SingleScattering);
+  vtkGetMacro(OpticalModel, int);
+  void SetOpticalModelToByShade() { this->SetOpticalModel(ByShade); }
+  void SetOpticalModelToAbsorption() { this->SetOpticalModel(Absorption); }
+  void SetOpticalModelToEmission() { this->SetOpticalModel(Emission); }
+  void SetOpticalModelToAbsorptionEmission() { this->SetOpticalModel(AbsorptionEmission); }
+  void SetOpticalModelToSingleScattering() { this->SetOpticalModel(SingleScattering); }
   ///@}
 
   /**
@@ -139,6 +225,10 @@ protected:
   bool PrepareTextures(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property,
     vtkImageData* image, vtkDataArray* scalars);
   void PrepareLights(vtkRenderer* renderer, vtkVolumeProperty* property);
+  void PrepareMaterial(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
+  bool PrepareEnvironment(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
+  void PrepareGradients(vtkOpenGLRenderWindow* window);
+  void PrepareNoiseFading(vtkVolumeProperty* property);
   void PlanDraws();
   void Draw(vtkRenderer* renderer);
   vtkImageData* GetUsableMask(vtkImageData* image);
@@ -146,6 +236,9 @@ protected:
 
   int ShadowTechnique = Auto;
   double ShadowSampleDistance = 0.0;
+  int GradientEstimator = CentralDifferences;
+  int GradientTextureBits = 0;
+  int OpticalModel = ByShade;
 
 private:
   vtkIlluminatedVolumeMapper(const vtkIlluminatedVolumeMapper&) = delete;

@@ -174,7 +174,7 @@ TEST_CASE("A scene's own words win over the preset's")
   CHECK(scene.TransferFunction.FromPreset->Name == "ct-bone");
   CHECK((*scene.TransferFunction.Opacity)[0][0] == 5.0);
   CHECK(scene.Material.Specular == 0.1);
-  CHECK(scene.Material.SpecularPower == 80.0);
+  CHECK(scene.Material.Slope == 0.12);
   CHECK(scene.Lights.size() == 3); // of the preset on the command line
   CHECK(SceneSource(file, {}).Describe("").Lights.size() == 1);
 }

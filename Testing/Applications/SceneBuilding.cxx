@@ -19,7 +19,7 @@
 #include <vtkPointData.h>
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
-#include <vtkVolumeProperty.h>
+#include <vtkVolumeMaterial.h>
 
 #include <cmath>
 #include <filesystem>
@@ -44,8 +44,8 @@ const std::string step = R"("opacity": [[0,0],[10,0.25],[10,0.75]],
 TEST_CASE("Transfer functions are piecewise linear with steps")
 {
   const auto volume = MakeBall({}, 9.0, 2.0);
-  const auto property = MakeVolumeProperty(
-    Resolve(R"(, "transferFunction": {)" + step + R"(, "opacityUnitDistance": 3 })", volume));
+  const auto property = MakeVolumeMaterial(
+    Resolve(R"(, "transferFunction": {)" + step + R"(, "opacityUnitDistance": 3 })", volume), {});
   vtkPiecewiseFunction* opacity = property->GetScalarOpacity();
   CHECK(opacity->GetValue(5.0) == Approx(0.125));
   CHECK(opacity->GetValue(10.0) == Approx(0.25));
@@ -61,10 +61,11 @@ TEST_CASE("Transfer functions are piecewise linear with steps")
 TEST_CASE("The material, the gradient opacity and the shading reach the property")
 {
   const auto volume = MakeBall({}, 9.0, 2.0);
-  const auto property = MakeVolumeProperty(Resolve(R"(, "shade": false, "material": {
+  const auto property = MakeVolumeMaterial(Resolve(R"(, "shade": false, "material": {
     "ambient": 0.3, "diffuse": 0.4, "specular": 0.5, "specularPower": 60 },
     "transferFunction": { "gradientOpacity": [[0,0],[8,1]] })",
-    volume));
+                                             volume),
+    {});
   CHECK(property->GetShade() == 0);
   CHECK(property->GetAmbient() == 0.3);
   CHECK(property->GetDiffuse() == 0.4);
@@ -164,7 +165,7 @@ TEST_CASE("The chosen transfer function hides the background and shows the objec
       const double waves = 20.0 * std::sin(p[0]) * std::cos(0.7 * p[1]);
       return (p[2] > grid.Center()[2] + 6.0 ? 180.0 : 25.0) + waves;
     });
-  const auto property = MakeVolumeProperty(Resolve("", volume));
+  const auto property = MakeVolumeMaterial(Resolve("", volume), {});
   CHECK(property->GetScalarOpacity()->GetValue(45.0) == 0.0);
   CHECK(property->GetScalarOpacity()->GetValue(160.0) > 0.1);
   CHECK(property->GetScalarOpacity()->GetValue(200.0) > 0.5);

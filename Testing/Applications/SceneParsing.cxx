@@ -51,7 +51,7 @@ TEST_CASE("A scene of a file alone has the documented defaults")
   CHECK(scene.Volume.Transform[5] == 1.0);
   CHECK_FALSE(scene.Volume.Cropping);
   CHECK_FALSE(scene.TransferFunction.Opacity);
-  CHECK(scene.Shade);
+  CHECK(scene.Optics == OpticalModel::SingleScattering);
   CHECK(scene.Material.Ambient == 0.1);
   CHECK(scene.Material.Diffuse == 0.7);
   CHECK(scene.Material.Specular == 0.2);
@@ -93,11 +93,19 @@ TEST_CASE("No lights is not the same as no key \"lights\"")
 
 TEST_CASE("shade and opticalModel say the same")
 {
-  CHECK_FALSE(Parse(R"(, "shade": false)").Shade);
-  CHECK_FALSE(Parse(R"(, "opticalModel": "absorption-emission")").Shade);
-  CHECK(Parse(R"(, "opticalModel": "single-scattering")").Shade);
-  CHECK_FALSE(Parse(R"(, "shade": false, "opticalModel": "absorption-emission")").Shade);
-  CHECK_THAT(MessageOf(R"(, "shade": true, "opticalModel": "absorption-emission")"),
+  const auto opticsOf = [](const std::string& members) { return Parse(members).Optics; };
+  CHECK(opticsOf(R"(, "shade": false)") == OpticalModel::AbsorptionEmission);
+  CHECK(opticsOf(R"(, "shade": true)") == OpticalModel::SingleScattering);
+  CHECK(opticsOf(R"(, "opticalModel": "absorption-emission")") == OpticalModel::AbsorptionEmission);
+  CHECK(opticsOf(R"(, "opticalModel": "single-scattering")") == OpticalModel::SingleScattering);
+  CHECK(opticsOf(R"(, "opticalModel": "absorption")") == OpticalModel::Absorption);
+  CHECK(opticsOf(R"(, "shade": false, "opticalModel": "emission")") == OpticalModel::Emission);
+  for (const char* model : { "absorption-emission", "absorption", "emission" })
+  {
+    CHECK_THAT(MessageOf(R"(, "shade": true, "opticalModel": ")" + std::string(model) + "\""),
+      Catch::Matchers::ContainsSubstring("shade"));
+  }
+  CHECK_THAT(MessageOf(R"(, "shade": false, "opticalModel": "single-scattering")"),
     Catch::Matchers::ContainsSubstring("shade"));
 }
 
@@ -234,10 +242,6 @@ TEST_CASE("What is not built yet is refused by its name")
     R"(, "shadows": { "technique": "volume" })",
     R"(, "shadows": { "technique": "map" })",
     R"(, "shadows": { "technique": "deep-map" })",
-    R"(, "material": { "model": "ward" })",
-    R"(, "gradient": "sobel")",
-    R"(, "opticalModel": "absorption")",
-    R"(, "opticalModel": "emission")",
   }));
   CHECK_THAT(MessageOf(scene), Catch::Matchers::ContainsSubstring("not available yet"));
 }

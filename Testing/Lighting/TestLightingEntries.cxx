@@ -25,7 +25,9 @@ std::string GetValue(const LightingRequirements& requirements, const std::string
 LightingRequirements MakeEverything()
 {
   LightingRequirements everything;
-  everything.Shade = everything.Diffuse = everything.Specular = true;
+  everything.Optics = OpticalModel::SingleScattering;
+  everything.Diffuse = everything.Specular = true;
+  everything.GradientTexture = everything.NoiseFading = true;
   everything.TwoSidedLighting = everything.Attenuation = true;
   everything.GradientOpacity = everything.Mask = true;
   everything.ClippingPlanes = 6;
@@ -39,15 +41,17 @@ TEST_CASE("A bare volume leaves out all but its opacity")
 {
   CHECK(LightingRequirements().GetLeftOut() ==
     Names{ "gradient opacity", "clipping planes", "cropping", "mask", "shading", "gradient",
-      "reflection model", "diffuse term", "specular term", "two-sided lighting",
+      "gradient texture", "reflection model", "diffuse term", "specular term", "fresnel term",
+      "preferred direction", "environment maps", "noise fading", "two-sided lighting",
       "directional lights", "point lights", "spot lights", "attenuation", "soft shadows",
       "hard shadows", "shadow technique" });
 }
 
-TEST_CASE("A scene that needs everything leaves out nothing")
+TEST_CASE("A scene that needs everything leaves out only what belongs to other reflection models")
 {
   const LightingRequirements everything = MakeEverything();
-  CHECK(everything.GetLeftOut().empty());
+  CHECK(
+    everything.GetLeftOut() == Names{ "fresnel term", "preferred direction", "environment maps" });
   CHECK(GetValue(everything, "directional lights") == "6");
   CHECK(GetValue(everything, "point lights") == "15");
   CHECK(GetValue(everything, "spot lights") == "24");
@@ -64,15 +68,48 @@ TEST_CASE("What is left out follows from what is there")
   LightingRequirements unshadowed = MakeEverything();
   unshadowed.Lights = { { { 1, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } } };
   CHECK(unshadowed.GetLeftOut() ==
-    Names{ "point lights", "spot lights", "attenuation", "soft shadows", "hard shadows",
-      "shadow technique" });
+    Names{ "fresnel term", "preferred direction", "environment maps", "point lights", "spot lights",
+      "attenuation", "soft shadows", "hard shadows", "shadow technique" });
 
   LightingRequirements ambientOnly;
-  ambientOnly.Shade = ambientOnly.GradientOpacity = true;
+  ambientOnly.Optics = OpticalModel::SingleScattering;
+  ambientOnly.GradientOpacity = true;
   const Names leftOut = ambientOnly.GetLeftOut();
   CHECK(std::count(leftOut.begin(), leftOut.end(), "shading") == 0);
   CHECK(std::count(leftOut.begin(), leftOut.end(), "gradient") == 0);
   CHECK(std::count(leftOut.begin(), leftOut.end(), "reflection model") == 1);
+}
+
+TEST_CASE("A reflection model tells its own needs")
+{
+  LightingRequirements needs = MakeEverything();
+  needs.Reflection = ReflectionModel::CookTorrance;
+  CHECK(needs.GetLeftOut() == Names{ "preferred direction", "environment maps" });
+  CHECK(GetValue(needs, "reflection model") == "cook-torrance");
+  needs.Specular = false;
+  CHECK(GetValue(needs, "fresnel term") == "no");
+  needs.Reflection = ReflectionModel::WardAnisotropic;
+  CHECK(needs.GetLeftOut() == Names{ "specular term", "fresnel term", "environment maps" });
+
+  LightingRequirements mirror;
+  mirror.Optics = OpticalModel::SingleScattering;
+  mirror.Reflection = ReflectionModel::ReflectionMap;
+  CHECK_FALSE(mirror.NeedsGradient());
+  mirror.Diffuse = true;
+  CHECK(GetValue(mirror, "environment maps") == "1");
+  mirror.Specular = true;
+  CHECK(GetValue(mirror, "environment maps") == "2");
+  CHECK(GetValue(mirror, "gradient") == "central differences");
+}
+
+TEST_CASE("Absorption alone leaves out the colours")
+{
+  LightingRequirements needs;
+  CHECK(GetValue(needs, "optical model") == "absorption-emission");
+  needs.Optics = OpticalModel::Absorption;
+  CHECK(needs.GetLeftOut().front() == "colour");
+  needs.Optics = OpticalModel::Emission;
+  CHECK(GetValue(needs, "colour") == "yes");
 }
 
 TEST_CASE("Entries have one name each, and what is left out has the value of nothing")

@@ -15,11 +15,13 @@ using Change = std::function<void(LightingRequirements&)>;
 
 // Each makes another value of its field.
 const std::vector<Change> changes = {
-  [](LightingRequirements& r) { r.Shade = true; },
+  [](LightingRequirements& r) { r.Optics = OpticalModel::Emission; },
   [](LightingRequirements& r) { r.Lights[2][1] = 3; },
   [](LightingRequirements& r) { r.Technique = static_cast<ShadowTechnique>(7); },
   [](LightingRequirements& r) { r.Reflection = static_cast<ReflectionModel>(7); },
   [](LightingRequirements& r) { r.Gradient = static_cast<GradientEstimator>(7); },
+  [](LightingRequirements& r) { r.GradientTexture = true; },
+  [](LightingRequirements& r) { r.NoiseFading = true; },
   [](LightingRequirements& r) { r.Diffuse = true; },
   [](LightingRequirements& r) { r.Specular = true; },
   [](LightingRequirements& r) { r.TwoSidedLighting = true; },
@@ -44,14 +46,16 @@ TEST_CASE("Requirements are equal when every field is, and differ when any does"
 {
   // A new field does not compile here, so that it cannot be forgotten above.
   const LightingRequirements base;
-  const auto& [shade, lights, technique, reflection, gradient, diffuse, specular, sides,
-    attenuation, gradientOpacity, planes, cropping, mask, opacity] = base;
-  CHECK_FALSE((shade || diffuse || specular || sides || attenuation || gradientOpacity || mask));
+  const auto& [optics, lights, technique, reflection, gradient, gradientTexture, fading, diffuse,
+    specular, sides, attenuation, gradientOpacity, planes, cropping, mask, opacity] = base;
+  CHECK_FALSE((diffuse || specular || sides || attenuation || gradientOpacity || mask));
+  CHECK_FALSE((gradientTexture || fading));
+  CHECK(optics == OpticalModel::AbsorptionEmission);
   CHECK(
     (planes == 0 && cropping == CroppingKind::None && opacity == TransferFunctionLookup::Table));
   CHECK((lights == decltype(base.Lights){} && static_cast<int>(technique) == 0 &&
     static_cast<int>(reflection) == 0 && static_cast<int>(gradient) == 0));
-  CHECK(changes.size() == 14);
+  CHECK(changes.size() == 16);
 
   for (const Change& change : changes)
   {
@@ -72,7 +76,7 @@ TEST_CASE("Each field of the scene changes exactly its own requirement")
   LightsAndMaterial with({ light });
   with.scene.TwoSidedLighting = false;
   LightingRequirements expected = with.Requirements();
-  REQUIRE(expected.Shade);
+  REQUIRE(expected.IsShaded());
 
   with.scene.TwoSidedLighting = expected.TwoSidedLighting = true;
   CHECK(with.Requirements() == expected);
@@ -83,6 +87,10 @@ TEST_CASE("Each field of the scene changes exactly its own requirement")
   with.scene.Mask = expected.Mask = true;
   CHECK(with.Requirements() == expected);
   with.scene.Opacity = expected.Opacity = TransferFunctionLookup::Points;
+  CHECK(with.Requirements() == expected);
+  with.scene.Gradient = expected.Gradient = GradientEstimator::Sobel;
+  CHECK(with.Requirements() == expected);
+  with.scene.GradientTexture = expected.GradientTexture = true;
   CHECK(with.Requirements() == expected);
   with.property->SetGradientOpacity(MakeGradientOpacity());
   expected.GradientOpacity = true;
@@ -124,7 +132,7 @@ TEST_CASE("No lights at all is a scene of ambient light only")
 {
   LightsAndMaterial with;
   LightingRequirements expected;
-  expected.Shade = true;
+  expected.Optics = OpticalModel::SingleScattering;
   CHECK(with.Requirements() == expected);
   with.scene.Lights = nullptr;
   CHECK(with.Requirements() == expected);

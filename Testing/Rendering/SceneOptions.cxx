@@ -3,8 +3,11 @@
 #include "MakeLight.h"
 #include "SyntheticVolumes.h"
 
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkPlane.h>
-#include <vtkVolumeProperty.h>
+#include <vtkPointData.h>
+#include <vtkVolumeMaterial.h>
 
 namespace penumbra
 {
@@ -52,6 +55,15 @@ void SetTransferFunctions(IlluminatedScene& scene, const SceneOptions& options)
   property->SetDisableGradientOpacity(!options.gradientOpacity);
 }
 
+vtkSmartPointer<vtkImageData> MakeGraySurroundings()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(4, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  image->GetPointData()->GetScalars()->Fill(128.0);
+  return image;
+}
+
 // Each cuts off a corner or an edge of the volume, none its middle.
 void SetClippingPlanes(IlluminatedScene& scene, int count)
 {
@@ -77,6 +89,23 @@ void SetCropping(IlluminatedScene& scene, CroppingKind cropping)
     cropping == CroppingKind::Box ? VTK_CROP_SUBVOLUME : VTK_CROP_FENCE);
 }
 
+void SetOptics(IlluminatedScene& scene, OpticalModel optics)
+{
+  const bool unusual = optics == OpticalModel::Absorption || optics == OpticalModel::Emission;
+  scene.Volume->GetProperty()->SetShade(optics == OpticalModel::SingleScattering);
+  scene.Mapper->SetOpticalModel(unusual
+      ? vtkIlluminatedVolumeMapper::Absorption + static_cast<int>(optics)
+      : vtkIlluminatedVolumeMapper::ByShade);
+}
+
+void SetMaterial(vtkVolumeMaterial* material, const SceneOptions& options)
+{
+  material->SetReflectionModel(static_cast<int>(options.reflection));
+  material->SetNoiseFading(options.noiseFading ? 1.0 : 0.0);
+  material->SetEnvironmentMap(
+    options.reflection == ReflectionModel::ReflectionMap ? MakeGraySurroundings() : nullptr);
+}
+
 vtkSmartPointer<vtkImageData> MakeMask()
 {
   return MakeSlab(grid, 2, 1.0, 8.0);
@@ -92,31 +121,61 @@ LightingRequirements SceneOptions::Expected() const
   needs.Cropping = this->cropping;
   needs.Mask = this->mask;
   needs.Opacity = this->opacity;
-  needs.Shade = this->shade;
-  if (this->shade && (this->diffuse || this->specular))
+  needs.Optics = this->optics;
+  if (needs.IsShaded())
   {
-    needs.Lights = this->lights;
-    const bool lit = needs.GetNumberOfLights() > 0;
-    needs.Diffuse = lit && this->diffuse;
-    needs.Specular = lit && this->specular;
-    needs.TwoSidedLighting = lit && this->twoSided;
-    needs.Attenuation = this->attenuation &&
-      needs.GetNumberOfLights(LightKind::Point) + needs.GetNumberOfLights(LightKind::Spot) > 0;
+    this->ExpectReflection(needs);
+  }
+  if (needs.NeedsGradient())
+  {
+    needs.Gradient = this->gradient;
+    needs.GradientTexture = this->gradientTexture;
   }
   return needs;
 }
 
 //------------------------------------------------------------------------------
+void SceneOptions::ExpectReflection(LightingRequirements& needs) const
+{
+  const bool shines = this->specular && this->reflection != ReflectionModel::OrenNayar;
+  const bool mirrors = this->reflection == ReflectionModel::ReflectionMap;
+  if ((this->diffuse || shines) && !mirrors)
+  {
+    needs.Lights = this->lights;
+  }
+  const bool lit = needs.GetNumberOfLights() > 0;
+  needs.Diffuse = (lit || mirrors) && this->diffuse;
+  needs.Specular = (lit || mirrors) && shines;
+  needs.TwoSidedLighting = lit && this->twoSided;
+  needs.Attenuation = this->attenuation &&
+    needs.GetNumberOfLights(LightKind::Point) + needs.GetNumberOfLights(LightKind::Spot) > 0;
+  if (needs.Diffuse || needs.Specular)
+  {
+    needs.Reflection = this->reflection;
+    needs.NoiseFading = this->noiseFading;
+  }
+}
+
+//------------------------------------------------------------------------------
 std::unique_ptr<IlluminatedScene> MakeScene()
 {
-  return std::make_unique<IlluminatedScene>(MakeBall(grid, 5.0, 4.0), 32, 32);
+  auto scene = std::make_unique<IlluminatedScene>(MakeBall(grid, 5.0, 4.0), 32, 32);
+  vtkNew<vtkVolumeMaterial> material;
+  material->DeepCopy(scene->Volume->GetProperty());
+  material->SetScalarOpacity(scene->Opacity);
+  material->SetColor(scene->Color);
+  scene->Volume->SetProperty(material);
+  return scene;
 }
 
 //------------------------------------------------------------------------------
 void SetOptions(IlluminatedScene& scene, const SceneOptions& options)
 {
+  SetMaterial(vtkVolumeMaterial::SafeDownCast(scene.Volume->GetProperty()), options);
+  SetOptics(scene, options.optics);
+  scene.Mapper->SetGradientEstimator(static_cast<int>(options.gradient));
+  scene.Mapper->SetGradientTextureBits(options.gradientTexture ? 8 : 0);
   vtkVolumeProperty* property = scene.Volume->GetProperty();
-  property->SetShade(options.shade);
   property->SetDiffuse(options.diffuse ? 0.7 : 0.0);
   property->SetSpecular(options.specular ? 0.3 : 0.0);
   scene.Renderer->SetTwoSidedLighting(options.twoSided);

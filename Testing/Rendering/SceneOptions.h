@@ -14,7 +14,11 @@ namespace penumbra
 {
 struct SceneOptions
 {
-  bool shade = true;
+  OpticalModel optics = OpticalModel::SingleScattering;
+  ReflectionModel reflection = ReflectionModel::Phong;
+  GradientEstimator gradient = GradientEstimator::CentralDifferences;
+  bool gradientTexture = true;
+  bool noiseFading = true;
   /// As many lights of each kind and shadow state.
   std::array<std::array<int, NumberOfShadowKinds>, NumberOfLightKinds> lights{};
   bool diffuse = true;
@@ -31,6 +35,9 @@ struct SceneOptions
 
   /// What the scene must report that it needs.
   LightingRequirements Expected() const;
+
+private:
+  void ExpectReflection(LightingRequirements& needs) const;
 };
 
 /// A ball of 12^3 voxels on 32 x 32 pixels.

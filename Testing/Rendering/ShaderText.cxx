@@ -1,6 +1,7 @@
 #include "ShaderText.h"
 
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace penumbra
@@ -8,15 +9,19 @@ namespace penumbra
 namespace
 {
 const std::map<std::string, std::vector<std::string>> Symbols = {
-  { "opacity", { "extinctionOf(", "colorOf(" } },
+  { "optical model", { "compositingWeight(" } },
+  { "opacity", { "extinctionOf(" } },
+  { "colour", { "colorOf(" } },
   { "gradient opacity", { "scene_gradientOpacity", "scene_gradientToTable" } },
   { "clipping planes", { "scene_clippingPlanes" } },
   { "mask", { "scene_mask", "maskShows" } },
   { "shading", { "scene_ambient" } },
   { "gradient", { "gradientAt" } },
-  { "reflection model", { "diffuseReflection", "specularReflection", "normalOf", "litSide" } },
-  { "diffuse term", { "scene_lightDiffuse" } },
-  { "specular term", { "scene_lightSpecular", "scene_specularPower" } },
+  { "gradient texture", { "scene_gradients" } },
+  { "reflection model", { "normalOf", "scene_gradientToWorld" } },
+  { "fresnel term", { "fresnelReflectance", "scene_indexOfRefraction" } },
+  { "preferred direction", { "scene_preferredDirection", "pDotN" } },
+  { "noise fading", { "scene_gradientToNoise", "scene_fadedReflection", "certainty" } },
   { "two-sided lighting", { "nDotL < 0.0 ? -1.0 : 1.0" } },
   { "directional lights", { "directionalLight(", "addDirectionalLights(" } },
   { "point lights", { "addPointLights(" } },
@@ -25,6 +30,23 @@ const std::map<std::string, std::vector<std::string>> Symbols = {
   { "soft shadows", { "softVisibility" } },
   { "hard shadows", { "hardVisibility" } },
   { "shadow technique", { "opticalDepth", "scene_shadowSampleDistance" } },
+};
+
+// What one reflection model's source has and no other's.
+const std::map<ReflectionModel, std::string> ModelSymbols = {
+  { ReflectionModel::Phong, "rDotV" },
+  { ReflectionModel::BlinnPhong, "pow(nDotH" },
+  { ReflectionModel::OrenNayar, "azimuth" },
+  { ReflectionModel::Ward, "slope / variance" },
+  { ReflectionModel::WardAnisotropic, "along2" },
+  { ReflectionModel::CookTorrance, "beckmannDistribution" },
+};
+
+const std::map<GradientEstimator, std::string> EstimatorSymbols = {
+  { GradientEstimator::CentralDifferences, "0.5 *\n    vec3(texture(scene_scalars" },
+  { GradientEstimator::ForwardDifferences, ".r - here" },
+  { GradientEstimator::BackwardDifferences, "here - texture(" },
+  { GradientEstimator::Sobel, "addRow" },
 };
 
 // A box needs no code: it is the box that rays are cut to. Regions do.
@@ -62,6 +84,37 @@ std::string FindWrongLoops(const LightingRequirements& requirements, const std::
         requirements.Lights[kind][shadow] > 0);
     }
   }
+  return wrong;
+}
+
+// Terms are of the lights, or of an environment instead.
+std::string FindWrongTerms(const LightingRequirements& requirements, const std::string& text)
+{
+  const bool mirrors = requirements.NeedsEnvironment();
+  const bool lit = requirements.GetNumberOfLights() > 0;
+  const bool diffuse = requirements.Diffuse;
+  const bool specular = requirements.Specular;
+  return Check(text, { "scene_lightDiffuse" }, lit && diffuse) +
+    Check(text, { "scene_lightSpecular" }, lit && specular) +
+    Check(text, { "diffuseReflection", "specularReflection", "litSide", "scene_reflection" }, lit) +
+    Check(text, { "samplerCube scene_environmentDiffuse" }, mirrors && diffuse) +
+    Check(text, { "samplerCube scene_environmentSpecular" }, mirrors && specular);
+}
+
+std::string FindWrongModels(const LightingRequirements& requirements, const std::string& text)
+{
+  std::string wrong;
+  for (const auto& [model, symbol] : ModelSymbols)
+  {
+    wrong += Check(
+      text, { symbol }, requirements.GetNumberOfLights() > 0 && requirements.Reflection == model);
+  }
+  const bool estimates = requirements.NeedsGradient() && !requirements.GradientTexture;
+  for (const auto& [estimator, symbol] : EstimatorSymbols)
+  {
+    wrong += Check(text, { symbol }, estimates && requirements.Gradient == estimator);
+  }
+  wrong += Check(text, { "CompositedAlpha = 0.0" }, requirements.Optics == OpticalModel::Emission);
   return wrong;
 }
 }
@@ -116,15 +169,21 @@ std::string FindWrongSymbols(const LightingRequirements& requirements, const std
   std::string wrong;
   for (const RequirementEntry& entry : requirements.GetEntries())
   {
-    if (entry.Name != "cropping")
+    // These are more than one line of text each, see below.
+    const std::set<std::string> others = { "cropping", "diffuse term", "specular term",
+      "environment maps" };
+    if (others.count(entry.Name) == 0)
     {
       wrong += Check(text, GetSymbols(entry.Name), entry.Needed);
     }
   }
   const bool table = requirements.Opacity == TransferFunctionLookup::Table;
-  wrong += Check(text, { "scene_extinction", "scene_color", "scene_tableCoordinate" }, table);
+  wrong += Check(text, { "scene_extinction", "scene_tableCoordinate" }, table);
+  wrong += Check(text, { "scene_color" }, table && requirements.NeedsColor());
   wrong += Check(text, { "scene_points", "scene_pointSearchSteps" }, !table);
   wrong += FindWrongLoops(requirements, text);
+  wrong += FindWrongTerms(requirements, text);
+  wrong += FindWrongModels(requirements, text);
   wrong += Check(text, RegionSymbols, requirements.Cropping == CroppingKind::Regions);
   return wrong;
 }

@@ -133,11 +133,9 @@ TEST_CASE("Colours are multiplied by intensity and by the material's factors")
   scene.property->SetAmbient(0.125);
   scene.property->SetDiffuse(0.5);
   scene.property->SetSpecular(0.25);
-  scene.property->SetSpecularPower(17.0);
   const LightUniforms uniforms = MakeUniforms(scene);
   CHECK(uniforms.Ambient == Vector3f{ 0.125f, 0.0625f, 0.25f });
   CHECK(uniforms.Diffuse.at(0) == Vector3f{ 1.0f, 0.5f, 0.0f });
   CHECK(uniforms.Specular.at(0) == Vector3f{ 0.0f, 0.5f, 0.25f });
   CHECK(uniforms.Attenuation.at(0) == Vector3f{ 1.0f, 2.0f, 3.0f });
-  CHECK(uniforms.SpecularPower == 17.0f);
 }

@@ -17,7 +17,7 @@ constexpr int LightOptions = NumberOfLightKinds * NumberOfShadowKinds;
 std::vector<int> GetLitLevels()
 {
   std::vector<int> levels(LightOptions, 3);
-  levels.insert(levels.end(), { 3, 2, 2, 2, 3, 3, 2, 2, 2 });
+  levels.insert(levels.end(), { 3, 2, 2, 6, 4, 2, 2, 2, 3, 3, 2, 2, 2 });
   return levels;
 }
 
@@ -32,6 +32,13 @@ void SetMatter(SceneOptions& options, const int* values)
   options.gathering = values[5] != 0;
 }
 
+void SetGradient(SceneOptions& options, const int* values)
+{
+  options.gradient = static_cast<GradientEstimator>(values[0]);
+  options.gradientTexture = values[1] != 0;
+  options.noiseFading = values[2] != 0;
+}
+
 SceneOptions MakeLitOptions(const Combination& combination)
 {
   SceneOptions options;
@@ -40,11 +47,14 @@ SceneOptions MakeLitOptions(const Combination& combination)
     options.lights[light / NumberOfShadowKinds][light % NumberOfShadowKinds] = combination[light];
   }
   const int* values = combination.data() + LightOptions;
-  options.diffuse = values[0] != 1;
-  options.specular = values[0] != 0;
   options.twoSided = values[1] != 0;
   options.attenuation = values[2] != 0;
-  SetMatter(options, values + 3);
+  options.reflection = static_cast<ReflectionModel>(values[3]);
+  // Oren and Nayar's model has a diffuse term alone.
+  options.diffuse = values[0] != 1 || options.reflection == ReflectionModel::OrenNayar;
+  options.specular = values[0] != 0;
+  SetGradient(options, values + 4);
+  SetMatter(options, values + 7);
   return options;
 }
 
@@ -60,9 +70,22 @@ bool ShowsAllOptions(const Combination& combination)
 SceneOptions MakeUnlitOptions(const Combination& combination)
 {
   SceneOptions options;
-  options.shade = combination[0] != 0;
-  options.lights[0][1] = options.shade ? 0 : 1;
+  options.optics = static_cast<OpticalModel>(combination[0]);
+  options.lights[0][1] = options.optics == OpticalModel::SingleScattering ? 0 : 1;
   SetMatter(options, combination.data() + 1);
+  return options;
+}
+
+// Light from all around; the lights give their ambient terms.
+SceneOptions MakeMirroringOptions(const Combination& combination)
+{
+  SceneOptions options;
+  options.lights[1][1] = 1;
+  options.reflection = ReflectionModel::ReflectionMap;
+  options.diffuse = combination[0] != 1;
+  options.specular = combination[0] != 0;
+  SetGradient(options, combination.data() + 1);
+  SetMatter(options, combination.data() + 4);
   return options;
 }
 
@@ -114,8 +137,8 @@ TEST_CASE("Every pair of requirements is in a combination")
   {
     CHECK(ShowsAllOptions(combination));
   }
-  // All combinations would be 34 million.
-  CHECK(combinations.size() < 40);
+  // All combinations would be 3 billion.
+  CHECK(combinations.size() < 60);
 }
 
 TEST_CASE("Programs of every pair of requirements compile and draw")
@@ -129,8 +152,17 @@ TEST_CASE("Programs of every pair of requirements compile and draw")
 TEST_CASE("Programs without lights compile and draw with every pair of what hides matter")
 {
   const auto all = [](const Combination&) { return true; };
-  for (const Combination& combination : MakeCoveringSet({ 2, 2, 3, 3, 2, 2, 2 }, all))
+  for (const Combination& combination : MakeCoveringSet({ 4, 2, 3, 3, 2, 2, 2 }, all))
   {
     CheckProgram(MakeUnlitOptions(combination));
+  }
+}
+
+TEST_CASE("Programs of reflection maps compile and draw with every pair of what else is needed")
+{
+  const auto all = [](const Combination&) { return true; };
+  for (const Combination& combination : MakeCoveringSet({ 3, 4, 2, 2, 2, 3, 3, 2, 2, 2 }, all))
+  {
+    CheckProgram(MakeMirroringOptions(combination));
   }
 }

@@ -1,4 +1,4 @@
-vec3 diffuseLight(int light, float nDotL)
+vec3 diffuseLight(ShadedPoint point, int light, ReflectionCosines cosines)
 {
   return vec3(0.0);
 }

@@ -1,6 +1,6 @@
 // Light from a position, which may lie inside the volume: its shadow ray ends there.
 
-Illumination pointLight(LightedPoint point, int light)
+Illumination pointLight(ShadedPoint point, int light)
 {
   vec3 toLight = scene_lightPosition[light] - point.position;
   vec3 toLightWorld = scene_textureToWorld * toLight;

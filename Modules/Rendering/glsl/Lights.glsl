@@ -13,13 +13,6 @@ struct ShadowSegment
   float enough;
 };
 
-struct LightedPoint
-{
-  vec3 position;
-  vec3 normal;
-  vec3 view; // world, towards the eye
-};
-
 // Light that falls on a point and where it comes from, before any shadow.
 struct Illumination
 {
@@ -34,14 +27,11 @@ struct Reflection
   vec3 specular;
 };
 
-Reflection reflectLight(LightedPoint point, int light, Illumination illumination)
+Reflection reflectLight(ShadedPoint point, int light, Illumination illumination)
 {
-  float side = litSide(dot(point.normal, illumination.direction));
-  float nDotL = side * dot(point.normal, illumination.direction);
-  float nDotV = side * dot(point.normal, point.view);
-  float lDotV = dot(illumination.direction, point.view);
-  return Reflection(illumination.strength * diffuseLight(light, nDotL),
-    illumination.strength * specularLight(light, nDotL, nDotV, lDotV));
+  ReflectionCosines cosines = cosinesAt(point, illumination.direction);
+  return Reflection(illumination.strength * diffuseLight(point, light, cosines),
+    illumination.strength * specularLight(point, light, cosines));
 }
 
 // A light that brightens nothing needs no shadow ray.
@@ -63,7 +53,7 @@ void addReflection(inout Reflection sum, Reflection reflected, float visibility)
   sum.specular += visibility * reflected.specular;
 }
 
-void addUnshadowedLight(LightedPoint point, int light, Illumination illumination, inout Reflection sum)
+void addUnshadowedLight(ShadedPoint point, int light, Illumination illumination, inout Reflection sum)
 {
   addReflection(sum, reflectLight(point, light, illumination), 1.0);
 }

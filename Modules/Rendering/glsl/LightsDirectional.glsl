@@ -1,12 +1,12 @@
 // Light that comes from one direction everywhere; headlights are of this kind.
 
-Illumination directionalLight(LightedPoint point, int light)
+Illumination directionalLight(ShadedPoint point, int light)
 {
   return Illumination(scene_lightDirection[light], 1.0,
     ShadowSegment(scene_lightPosition[light], scene_lightShadow[light].x, 1e30, scene_lightShadow[light].y));
 }
 
-void addDirectionalLights(LightedPoint point, inout Reflection sum)
+void addDirectionalLights(ShadedPoint point, inout Reflection sum)
 {
 #if DIRECTIONAL_UNSHADOWED > 0
   for (int light = DIRECTIONAL_FIRST; light < DIRECTIONAL_FIRST + DIRECTIONAL_UNSHADOWED; ++light)

@@ -1,6 +1,6 @@
 // Point lights.
 
-void addPointLights(LightedPoint point, inout Reflection sum)
+void addPointLights(ShadedPoint point, inout Reflection sum)
 {
 #if POINT_UNSHADOWED > 0
   for (int light = POINT_FIRST; light < POINT_FIRST + POINT_UNSHADOWED; ++light)

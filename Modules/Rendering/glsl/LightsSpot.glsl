@@ -2,7 +2,7 @@
 
 uniform vec2 scene_lightCone[LIGHTS]; // cosine of the half angle, exponent
 
-Illumination spotLight(LightedPoint point, int light)
+Illumination spotLight(ShadedPoint point, int light)
 {
   Illumination illumination = pointLight(point, light);
   illumination.strength *= coneFalloff(-dot(illumination.direction, scene_lightDirection[light]),
@@ -10,7 +10,7 @@ Illumination spotLight(LightedPoint point, int light)
   return illumination;
 }
 
-void addSpotLights(LightedPoint point, inout Reflection sum)
+void addSpotLights(ShadedPoint point, inout Reflection sum)
 {
 #if SPOT_UNSHADOWED > 0
   for (int light = SPOT_FIRST; light < SPOT_FIRST + SPOT_UNSHADOWED; ++light)

@@ -1,4 +1,4 @@
-// Extinction and colour of a scalar by linear interpolation between the points of the transfer functions
+// Extinction of a scalar, and its colour, by linear interpolation between the points of the transfer functions
 // themselves, for functions too fine or too steep for an even table. Row 0 holds the points' scalars
 // relative to scene_pointOffset, ascending; row 1 colour and opacity.
 
@@ -28,9 +28,4 @@ vec4 pointsAt(float scalar)
 float extinctionOf(float scalar)
 {
   return extinctionOfOpacity(pointsAt(scalar).a) * scene_reciprocalUnitDistance;
-}
-
-vec3 colorOf(float scalar)
-{
-  return pointsAt(scalar).rgb;
 }

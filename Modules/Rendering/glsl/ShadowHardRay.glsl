@@ -8,7 +8,7 @@ float hardVisibility(vec3 position, ShadowSegment towardsLight)
   return depth > towardsLight.enough ? 0.0 : 1.0;
 }
 
-void addHardLight(LightedPoint point, int light, Illumination illumination, inout Reflection sum)
+void addHardLight(ShadedPoint point, int light, Illumination illumination, inout Reflection sum)
 {
   Reflection reflected = reflectLight(point, light, illumination);
   illumination.segment.end = shadowReach(reflected, illumination.segment.end);

@@ -6,7 +6,7 @@ float softVisibility(vec3 position, ShadowSegment towardsLight)
     towardsLight.enough));
 }
 
-void addSoftLight(LightedPoint point, int light, Illumination illumination, inout Reflection sum)
+void addSoftLight(ShadedPoint point, int light, Illumination illumination, inout Reflection sum)
 {
   Reflection reflected = reflectLight(point, light, illumination);
   illumination.segment.end = shadowReach(reflected, illumination.segment.end);

@@ -1,4 +1,4 @@
-vec3 specularLight(int light, float nDotL, float nDotV, float lDotV)
+vec3 specularLight(ShadedPoint point, int light, ReflectionCosines cosines)
 {
   return vec3(0.0);
 }

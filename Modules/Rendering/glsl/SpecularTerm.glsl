@@ -1,7 +1,6 @@
 uniform vec3 scene_lightSpecular[LIGHTS]; // specular colour, intensity and the material's factor
-uniform float scene_specularPower;
 
-vec3 specularLight(int light, float nDotL, float nDotV, float lDotV)
+vec3 specularLight(ShadedPoint point, int light, ReflectionCosines cosines)
 {
-  return scene_lightSpecular[light] * specularReflection(nDotL, nDotV, lDotV, scene_specularPower);
+  return scene_lightSpecular[light] * fadedSpecular(point, specularReflection(cosines, scene_reflection));
 }

@@ -61,10 +61,10 @@ void main()
       position = base + direction * (begin + 0.5 * stepLength);
       depth = segmentDepth(position, direction, stepLength, scalar);
     }
-    float weight = (1.0 - accumulated.a) * opacityOfDepth(depth);
+    float weight = compositingWeight(accumulated, depth);
     if (weight > 0.0)
     {
-      accumulated += weight * vec4(shadedColor(position, scalar, view), 1.0);
+      accumulated += weight * vec4(shadedColor(position, scalar, view), CompositedAlpha);
     }
   }
   gl_FragData[0] = accumulated;
