@@ -1,50 +1,139 @@
 #include "Catch.h"
-#include "ShaderMathematics.h"
+#include "ReflectionGeometry.h"
 
-#include <vtkMath.h>
-
+#include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <vector>
 
-TEST_CASE("Phong's terms are finite and between 0 and 1 for every cosine and power")
+namespace
 {
-  const float tiny = std::numeric_limits<float>::denorm_min();
-  const float above = 1.0f + 4.0f * std::numeric_limits<float>::epsilon();
-  const float cosines[] = { -above, -1.0f, -0.5f, -tiny, -0.0f, 0.0f, tiny, 0.5f, 1.0f, above };
+using Model = float (*)(shader::ReflectionCosines, shader::vec4);
+
+constexpr float Tiny = std::numeric_limits<float>::denorm_min();
+constexpr float Above = 1.0f + 4.0f * std::numeric_limits<float>::epsilon();
+
+// All that the mapper passes.
+const std::vector<shader::vec4> Powers = { { 0.0f }, { Tiny }, { 1e-30f }, { 0.5f }, { 1.0f },
+  { 128.0f }, { 1e6f }, { std::numeric_limits<float>::max() } };
+const std::vector<shader::vec4> Facets = { { 1.0f, 0.0f }, { 0.9f, 0.3f }, { 0.5f, 0.45f } };
+const std::vector<shader::vec4> Lobes = { { 0.001f, 0.001f }, { 0.001f, 1e6f }, { 0.1f, 0.5f },
+  { 1.0f, 1.0f }, { 1e6f, 0.001f }, { 1e6f, 1e6f } };
+const std::vector<shader::vec4> Slopes = { { 0.001f, -1.0f }, { 0.3f, -1.0f }, { 1e6f, -1.0f },
+  { 0.001f, 0.0f }, { 0.001f, 1e6f }, { 0.3f, 1.0f }, { 1e6f, 1e6f } };
+
+struct NamedModel
+{
+  const char* Name;
+  Model Reflection;
+  std::vector<shader::vec4> Parameters;
+  float Most;
+  bool HiddenBehind; // where N.V <= 0
+};
+
+const std::vector<NamedModel>& Models()
+{
+  constexpr float none = std::numeric_limits<float>::max();
+  static const std::vector<NamedModel> models = {
+    { "Lambert", shader::phong::diffuseReflection, Powers, Above, false },
+    { "Phong", shader::phong::specularReflection, Powers, 1.0f, false },
+    { "Blinn-Phong", shader::blinnPhong::specularReflection, Powers, 1.0f, true },
+    { "Oren-Nayar", shader::orenNayar::diffuseReflection, Facets, none, false },
+    { "Ward", shader::ward::specularReflection, Lobes, none, true },
+    { "Ward, anisotropic", shader::wardAnisotropic::specularReflection, Lobes, none, true },
+    { "Cook-Torrance", shader::cookTorrance::specularReflection, Slopes, none, true },
+  };
+  return models;
+}
+
+void CheckRange(const shader::ReflectionCosines& c)
+{
+  for (const NamedModel& model : Models())
+  {
+    for (const shader::vec4& parameters : model.Parameters)
+    {
+      const float value = model.Reflection(c, parameters);
+      if (!std::isfinite(value) || value < 0.0f || value > model.Most)
+      {
+        FAIL_CHECK(model.Name << " of " << parameters.x << ", " << parameters.y << " is " << value
+                              << " at N.L " << c.nDotL << ", N.V " << c.nDotV << ", L.V " << c.lDotV
+                              << ", P.N " << c.pDotN << ", P.L " << c.pDotL << ", P.V " << c.pDotV);
+      }
+      if (c.nDotL <= 0.0f && value != 0.0f)
+      {
+        FAIL_CHECK(model.Name << " is lit from behind");
+      }
+    }
+  }
+}
+}
+
+TEST_CASE("Reflections are finite and not negative for all cosines, also those of no directions")
+{
+  const std::vector<float> cosines = { -Above, -1.0f, -0.5f, -1e-3f, -1e-20f, -Tiny, -0.0f, 0.0f,
+    Tiny, 1e-20f, 1e-7f, 1e-3f, 0.5f, 1.0f, Above };
+  std::mt19937 generator(60);
+  std::uniform_int_distribution<size_t> any(0, cosines.size() - 1);
+  const auto pick = [&] { return cosines[any(generator)]; };
   for (const float nDotL : cosines)
   {
-    CHECK(shader::diffuseReflection(nDotL) >= 0.0f);
-    CHECK(shader::diffuseReflection(nDotL) <= above);
     for (const float nDotV : cosines)
     {
       for (const float lDotV : cosines)
       {
-        for (const float power : { 0.0f, tiny, 1.0f, 1e3f, std::numeric_limits<float>::max() })
-        {
-          const float value = shader::specularReflection(nDotL, nDotV, lDotV, power);
-          CHECK((value >= 0.0f && value <= 1.0f));
-        }
+        CheckRange({ nDotL, nDotV, lDotV, pick(), pick(), pick() });
+        CheckRange({ nDotL, nDotV, lDotV, pick(), pick(), pick() });
       }
     }
   }
 }
 
-TEST_CASE("Phong's terms integrate to pi and to 2 pi / (n + 1) over the hemisphere")
+TEST_CASE("Reflections are finite and not negative for all directions")
 {
-  constexpr int rings = 4000;
-  for (const float power : { 0.0f, 0.5f, 1.0f, 10.0f, 128.0f })
+  std::mt19937 generator(61);
+  for (int sample = 0; sample < 10000; ++sample)
   {
-    double diffuse = 0.0;
-    double specular = 0.0;
-    for (int ring = 0; ring < rings; ++ring)
+    CheckRange(CosinesOf(RandomDirections(generator)));
+    CheckRange(CosinesOf(RandomHighlight(generator, 0.01)));
+  }
+}
+
+TEST_CASE("Reflections are finite and not negative where directions are the same or opposite")
+{
+  std::mt19937 generator(62);
+  for (int sample = 0; sample < 1000; ++sample)
+  {
+    for (const double apart : { 0.0, 1e-8, 1e-4 })
     {
-      // Rings of equal height have equal areas on the sphere.
-      const float height = (static_cast<float>(ring) + 0.5f) / rings;
-      diffuse += 2.0 * vtkMath::Pi() / rings * shader::diffuseReflection(height);
-      specular +=
-        2.0 * vtkMath::Pi() / rings * shader::specularReflection(1.0f, height, height, power);
+      ReflectionDirections d = RandomDirections(generator);
+      const auto near = [&](double sign, const Vector& direction)
+      { return Normalized(Sum(sign, direction, apart, RandomDirection(generator))); };
+      d.V = near(-1.0, d.L);
+      CheckRange(CosinesOf(d));
+      d.N = near(1.0, Normalized(Cross(d.L, d.P))); // and both along the surface
+      CheckRange(CosinesOf(d));
+      d.N = near(1.0, d.L);
+      d.V = near(1.0, d.L);
+      d.P = near(1.0, d.L);
+      CheckRange(CosinesOf(d));
     }
-    // 4000 rings leave an error of 1e-5 in the steepest of these lobes.
-    CHECK(diffuse == Approx(vtkMath::Pi()).epsilon(1e-4));
-    CHECK(specular == Approx(2.0 * vtkMath::Pi() / (power + 1.0)).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("No light along the surface is reflected, and no highlight behind it but Phong's")
+{
+  for (const float nDotV : { 0.0f, -Tiny, -0.5f, -1.0f })
+  {
+    for (const NamedModel& model : Models())
+    {
+      for (const shader::vec4& parameters : model.Parameters)
+      {
+        CHECK(model.Reflection({ 0.0f, 0.5f, 0.5f, 0.0f, 0.5f, 0.5f }, parameters) == 0.0f);
+        if (model.HiddenBehind)
+        {
+          CHECK(model.Reflection({ 0.5f, nDotV, 0.5f, 0.0f, 0.5f, 0.5f }, parameters) == 0.0f);
+        }
+      }
+    }
   }
 }
