@@ -89,8 +89,8 @@ public:
   ///@{
   /**
    * Roughness of Oren and Nayar's model, the standard deviation of the facets' angles in radians,
-   * and of Ward's isotropic one, that of their slopes; 0 or more. Ward's lobe takes less than 0.001
-   * as 0.001. Default: 0.3.
+   * and of Ward's isotropic one, the root mean square of their slopes; 0 or more. Ward's lobe takes
+   * less than 0.001 as 0.001. Default: 0.3.
    */
   vtkSetClampMacro(Roughness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Roughness, double);
@@ -98,8 +98,9 @@ public:
 
   ///@{
   /**
-   * Standard deviations of the facets' slopes along and across the preferred direction, of Ward's
-   * anisotropic model; 0 or more, less than 0.001 counts as 0.001. Default: 0.1 and 0.5.
+   * Roughness along and across the preferred direction, of Ward's anisotropic model: the standard
+   * deviation of the facets' slopes times the root of 2; 0 or more, less than 0.001 counts as
+   * 0.001. Default: 0.1 and 0.5.
    */
   vtkSetClampMacro(RoughnessX, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RoughnessX, double);

@@ -371,11 +371,6 @@ void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeP
   vtkNew<vtkLightCollection> lights;
   const int largestNumber = LightUniforms::GetLargestNumber(this->Internal->Window);
   const int left = CollectLights(renderer->GetLights(), property, largestNumber, lights);
-  if (left > 0 && property->GetShade(0))
-  {
-    this->Say("The graphics card's shaders hold " + std::to_string(largestNumber) +
-      " lights; the last " + std::to_string(left) + " give ambient light only.");
-  }
   lighted.Lights = lights;
   lighted.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
   lighted.ClippingPlanes = static_cast<int>(scene.ClippingPlanes.size());
@@ -394,6 +389,11 @@ void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeP
   lighted.EnvironmentMap = this->PrepareEnvironment(this->Internal->Window, property);
   lighted.GradientTexture = this->GradientTextureBits > 0;
   scene.Requirements = ComputeLightingRequirements(lighted);
+  if (left > 0 && scene.Requirements.IsShaded())
+  {
+    this->Say("The graphics card's shaders hold " + std::to_string(largestNumber) +
+      " lights; the last " + std::to_string(left) + " give ambient light only.");
+  }
 
   Vector3 cameraDirection;
   renderer->GetActiveCamera()->GetDirectionOfProjection(cameraDirection.data());
@@ -418,7 +418,9 @@ void vtkIlluminatedVolumeMapper::PrepareMaterial(
 bool vtkIlluminatedVolumeMapper::PrepareEnvironment(
   vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
 {
-  if (GetReflectionModel(property) != ReflectionModel::ReflectionMap)
+  const bool shaded = this->OpticalModel == SingleScattering ||
+    (this->OpticalModel == ByShade && property->GetShade(0));
+  if (!shaded || GetReflectionModel(property) != ReflectionModel::ReflectionMap)
   {
     return false;
   }
