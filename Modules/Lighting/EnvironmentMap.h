@@ -15,8 +15,9 @@
  * Surfaces reflect it blurred. The lobe of power n is the kernel max(R.w, 0)^n, about a Gaussian of
  * standard deviation 1 / sqrt(n + 1) radians. FilterDiffuse and FilterSpecular make cube maps
  * which, looked up with linear filtering across the faces' edges, are within half an 8-bit step of
- * the integral where the map's values are at most 1. Between the outermost texels of two
- * faces, near the cube's corners, OpenGL's lookup itself is up to a quarter of a texel off.
+ * the integral where the map's values are at most 1. Only between the outermost texels of two
+ * faces, near the cube's corners, OpenGL's lookup itself is up to a quarter of a texel off: at most
+ * another one and a half steps, where a sharp edge of the map falls there and the power is high.
  */
 
 #ifndef EnvironmentMap_h
