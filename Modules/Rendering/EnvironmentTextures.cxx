@@ -1,9 +1,11 @@
 #include "EnvironmentTextures.h"
 
 #include "MatrixUniforms.h"
+#include "OpenGLEnumerants.h"
 
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolumeMaterial.h"
 
@@ -41,18 +43,19 @@ vtkMTimeType GetTime(const std::vector<vtkSmartPointer<vtkImageData>>& images)
 }
 
 //------------------------------------------------------------------------------
-bool EnvironmentTextures::UpdateMap(vtkVolumeMaterial* material, std::string& reason)
+bool EnvironmentTextures::UpdateMap(
+  vtkOpenGLRenderWindow* window, vtkVolumeMaterial* material, std::string& reason)
 {
   const auto& images = material->GetEnvironmentMap();
   const vtkMTimeType time = GetTime(images);
   if (images != this->Images || time != this->ImagesTime)
   {
+    this->Release(window);
     this->Images = images;
     this->ImagesTime = time;
-    this->Power = -1.0;
-    this->Reason.clear();
+    this->Reason = "the material has none";
     const std::vector<vtkImageData*> pointers(images.begin(), images.end());
-    const auto map = MakeEnvironmentMap(pointers, this->Reason);
+    const auto map = pointers.empty() ? std::nullopt : MakeEnvironmentMap(pointers, this->Reason);
     this->Map = map.value_or(EnvironmentMap{});
     this->Mean = map ? MeanRadiance(*map) : std::array<double, 3>{};
   }
@@ -64,20 +67,12 @@ bool EnvironmentTextures::UpdateMap(vtkVolumeMaterial* material, std::string& re
 bool EnvironmentTextures::Update(
   vtkOpenGLRenderWindow* window, vtkVolumeMaterial* material, std::string& reason)
 {
-  if (material->GetEnvironmentMap().empty())
-  {
-    this->Release(window);
-    reason = "the material has none";
-    return false;
-  }
-  const bool changed = material->GetEnvironmentMap() != this->Images ||
-    GetTime(material->GetEnvironmentMap()) != this->ImagesTime;
-  if (!this->UpdateMap(material, reason))
+  if (!this->UpdateMap(window, material, reason))
   {
     return false;
   }
   bool held = true;
-  if (material->GetDiffuse(0) > 0.0 && (changed || !this->Diffuse->GetHandle()))
+  if (material->GetDiffuse(0) > 0.0 && !this->Diffuse->GetHandle())
   {
     held = Load(this->Diffuse, window, FilterDiffuse(this->Map));
   }
@@ -106,8 +101,10 @@ std::vector<vtkTextureObject*> EnvironmentTextures::GetLoaded() const
 }
 
 //------------------------------------------------------------------------------
-void EnvironmentTextures::Activate()
+// A lookup near a face's edge takes texels of the next face.
+void EnvironmentTextures::Activate(vtkOpenGLRenderWindow* window)
 {
+  window->GetState()->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   for (vtkTextureObject* texture : this->GetLoaded())
   {
     texture->Activate();

@@ -31,19 +31,19 @@ public:
   /// is none that can be shown; `reason` then says why.
   bool Update(vtkOpenGLRenderWindow* window, vtkVolumeMaterial* material, std::string& reason);
 
-  void Activate();
+  void Activate(vtkOpenGLRenderWindow* window);
   void Deactivate();
   void SetUniforms(vtkShaderProgram* program) const;
   void Release(vtkOpenGLRenderWindow* window);
 
 private:
-  bool UpdateMap(vtkVolumeMaterial* material, std::string& reason);
+  bool UpdateMap(vtkOpenGLRenderWindow* window, vtkVolumeMaterial* material, std::string& reason);
   std::vector<vtkTextureObject*> GetLoaded() const;
 
   EnvironmentMap Map;
   std::vector<vtkSmartPointer<vtkImageData>> Images;
   vtkMTimeType ImagesTime = 0;
-  std::string Reason;
+  std::string Reason = "the material has none";
   std::array<double, 3> Mean{};
   double Power = -1.0;
   vtkNew<vtkTextureObject> Diffuse;

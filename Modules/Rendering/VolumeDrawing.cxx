@@ -76,7 +76,7 @@ VolumeDrawing::Result VolumeDrawing::Draw(
   this->Pass->Select(scene.Requirements, this->Gathering);
   this->Pass->ExpectDraw();
   this->Textures.Activate();
-  this->Environment.Activate();
+  this->Environment.Activate(this->Window);
   AccumulationBuffer::Viewport viewport;
   renderer->GetTiledSizeAndOrigin(&viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
   bool gathered = true;
