@@ -54,7 +54,7 @@ auto AsTuple(const LightingRequirements& r)
 {
   return std::tie(r.Optics, r.Lights, r.Technique, r.Reflection, r.Gradient, r.GradientTexture,
     r.NoiseFading, r.Diffuse, r.Specular, r.TwoSidedLighting, r.Attenuation, r.GradientOpacity,
-    r.ClippingPlanes, r.Cropping, r.Mask, r.Opacity);
+    r.ClippingPlanes, r.Cropping, r.Mask, r.Opacity, r.PreIntegrated);
 }
 
 RequirementEntry Flag(const std::string& name, bool needed)
@@ -222,6 +222,7 @@ std::vector<RequirementEntry> LightingRequirements::GetEntries() const
   return {
     Choice("optical model", GetName(this->Optics), true),
     Choice("opacity", GetLookupName(this->Opacity), true),
+    Flag("pre-integration", this->PreIntegrated),
     Flag("colour", this->NeedsColor()),
     Flag("gradient opacity", this->GradientOpacity),
     Count("clipping planes", this->ClippingPlanes),
@@ -306,6 +307,13 @@ LightingRequirements ComputeLightingRequirements(const LightedScene& scene)
   needs.Cropping = scene.Cropping;
   needs.Mask = scene.Mask;
   needs.Opacity = scene.Opacity;
+  // A mask or a region may cut a step anywhere.
+  needs.PreIntegrated = scene.SteepOpacity && scene.LinearInterpolation && !scene.Mask &&
+    scene.Cropping != CroppingKind::Regions;
+  if (needs.PreIntegrated)
+  {
+    needs.Opacity = TransferFunctionLookup::Table;
+  }
   const OpticalModel byShade = scene.Property->GetShade(0) != 0 ? OpticalModel::SingleScattering
                                                                 : OpticalModel::AbsorptionEmission;
   needs.Optics = scene.Optics.value_or(byShade);

@@ -128,6 +128,9 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   CroppingKind Cropping = CroppingKind::None;
   bool Mask = false;
   TransferFunctionLookup Opacity = TransferFunctionLookup::Table;
+  /// Steps take the mean of the transfer functions over all scalars between their ends; else the
+  /// functions at the sample in their middle.
+  bool PreIntegrated = false;
 
   bool operator==(const LightingRequirements& other) const;
   bool operator!=(const LightingRequirements& other) const { return !(*this == other); }
@@ -175,6 +178,10 @@ struct LightedScene
   CroppingKind Cropping = CroppingKind::None;
   bool Mask = false;
   TransferFunctionLookup Opacity = TransferFunctionLookup::Table;
+  /// The transfer functions change much within a step.
+  bool SteepOpacity = false;
+  /// Between voxels the scalar is interpolated linearly; else it is the nearest voxel's.
+  bool LinearInterpolation = false;
 };
 
 /// The one function that turns a scene into its requirements. It depends on its argument alone.

@@ -43,6 +43,7 @@
 #include "GlslMaskBinary.h"
 #include "GlslMaskNone.h"
 #include "GlslNormal.h"
+#include "GlslOpacityIntegral.h"
 #include "GlslOpacityPoints.h"
 #include "GlslOpacityTable.h"
 #include "GlslReflectionBlinnPhong.h"
@@ -51,7 +52,11 @@
 #include "GlslReflectionPhong.h"
 #include "GlslReflectionWard.h"
 #include "GlslReflectionWardAnisotropic.h"
+#include "GlslSegmentColor.h"
+#include "GlslSegmentColorIntegral.h"
+#include "GlslSegmentColorNone.h"
 #include "GlslSegmentDepth.h"
+#include "GlslSegmentIntegral.h"
 #include "GlslShadingAmbient.h"
 #include "GlslShadingBlack.h"
 #include "GlslShadingEnvironment.h"
@@ -121,20 +126,23 @@ const Snippet FragmentSnippets[] = {
   { GlslBoxInterval, Always },
   { GlslTransmittance, Always },
   { GlslOpacityTable,
-    [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Table; } },
+    [](const Needs& n, bool)
+    { return !n.PreIntegrated && n.Opacity == TransferFunctionLookup::Table; } },
   { GlslOpacityPoints,
     [](const Needs& n, bool) { return n.Opacity == TransferFunctionLookup::Points; } },
   { GlslColorTable,
     [](const Needs& n, bool)
-    { return n.NeedsColor() && n.Opacity == TransferFunctionLookup::Table; } },
+    { return n.NeedsColor() && !n.PreIntegrated && n.Opacity == TransferFunctionLookup::Table; } },
   { GlslColorPoints,
     [](const Needs& n, bool)
     { return n.NeedsColor() && n.Opacity == TransferFunctionLookup::Points; } },
+  { GlslOpacityIntegral, [](const Needs& n, bool) { return n.PreIntegrated; } },
   { GlslClippingNone, [](const Needs& n, bool) { return n.ClippingPlanes == 0; } },
   { GlslClippingPlanes, [](const Needs& n, bool) { return n.ClippingPlanes > 0; } },
-  { GlslCroppingBox, [](const Needs& n, bool) { return n.Cropping != CroppingKind::Regions; } },
+  { GlslCroppingBox,
+    [](const Needs& n, bool) { return !n.PreIntegrated && n.Cropping != CroppingKind::Regions; } },
   { GlslCroppingRegions, [](const Needs& n, bool) { return n.Cropping == CroppingKind::Regions; } },
-  { GlslMaskNone, [](const Needs& n, bool) { return !n.Mask; } },
+  { GlslMaskNone, [](const Needs& n, bool) { return !n.PreIntegrated && !n.Mask; } },
   { GlslMaskBinary, [](const Needs& n, bool) { return n.Mask; } },
   { GlslGradientCentral, EstimatesBy<GradientEstimator::CentralDifferences> },
   { GlslGradientForward, EstimatesBy<GradientEstimator::ForwardDifferences> },
@@ -144,7 +152,12 @@ const Snippet FragmentSnippets[] = {
     [](const Needs& n, bool) { return n.NeedsGradient() && n.GradientTexture; } },
   { GlslGradientOpacityNone, [](const Needs& n, bool) { return !n.GradientOpacity; } },
   { GlslGradientOpacityTable, [](const Needs& n, bool) { return n.GradientOpacity; } },
-  { GlslSegmentDepth, Always },
+  { GlslSegmentDepth, [](const Needs& n, bool) { return !n.PreIntegrated; } },
+  { GlslSegmentIntegral, [](const Needs& n, bool) { return n.PreIntegrated; } },
+  { GlslSegmentColorNone, [](const Needs& n, bool) { return !n.NeedsColor(); } },
+  { GlslSegmentColor, [](const Needs& n, bool) { return n.NeedsColor() && !n.PreIntegrated; } },
+  { GlslSegmentColorIntegral,
+    [](const Needs& n, bool) { return n.NeedsColor() && n.PreIntegrated; } },
   { GlslNormal, [](const Needs& n, bool) { return n.NeedsNormal(); } },
   { GlslFadingNone, [](const Needs& n, bool) { return n.NeedsNormal() && !n.NoiseFading; } },
   { GlslFadingNoise, [](const Needs& n, bool) { return n.NeedsNormal() && n.NoiseFading; } },

@@ -32,6 +32,8 @@ struct TransferFunctions
   double DataLow = 0.0; ///< the volume's finite range
   double DataHigh = 0.0;
   bool IntegerData = false;
+  /// Length of a step, by which to tell whether the functions are steep.
+  double Step = 1.0;
 };
 
 /// Extinction per length of matter whose opacity per unit distance this is (MODEL: at most 1 -
@@ -46,8 +48,15 @@ struct TransferFunctionTable
   bool Accurate = true;
   double Low = 0.0; ///< scalar of the first entry
   double High = 0.0;
-  std::vector<float> Extinction;    ///< Table
-  std::vector<float> Color;         ///< Table: 3 an entry
+  std::vector<float> Extinction; ///< with Points, as near as a table comes
+  std::vector<float> Color;      ///< 3 an entry
+  /// Integrals from the first entry to this one, over the coordinate u of a texture of the
+  /// table, of extinction s and colour C.
+  std::vector<float> ExtinctionIntegral; ///< of s
+  std::vector<float> ColorIntegral;      ///< of s C (3) and of s u
+  /// The functions change so fast that a step's middle does not tell what the step passes. Their
+  /// integrals over the table are right even where the table itself is not.
+  bool Steep = false;
   std::vector<double> PointScalars; ///< Points: relative to Low, ascending; both ends of a step
   std::vector<float> PointColors;   ///< Points: colour and opacity, 4 a point
 

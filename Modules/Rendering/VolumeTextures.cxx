@@ -162,13 +162,20 @@ void VolumeTextures::UpdateTransferFunctions(
   functions.DataLow = this->Scalars.GetRange().Low;
   functions.DataHigh = this->Scalars.GetRange().High;
   functions.IntegerData = this->IntegerData;
+  const double* spacing = this->LoadedImage->GetSpacing();
+  functions.Step = std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
   this->Table = MakeTransferFunctionTable(
     functions, std::min(LargestTableSize, vtkTextureObject::GetMaximumTextureSize(window)));
-  if (this->Table.Lookup == TransferFunctionLookup::Table)
+  for (vtkTextureObject* texture :
+    { this->Extinction.Get(), this->Color.Get(), this->ColorIntegral.Get(), this->Points.Get() })
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  if (this->Table.Lookup == TransferFunctionLookup::Table || this->Table.Steep)
   {
     this->LoadTable(window);
   }
-  else
+  if (this->Table.Lookup == TransferFunctionLookup::Points)
   {
     this->LoadPoints(window);
   }
@@ -181,19 +188,29 @@ void VolumeTextures::UpdateTransferFunctions(
 //------------------------------------------------------------------------------
 void VolumeTextures::LoadTable(vtkOpenGLRenderWindow* window)
 {
-  this->Points->ReleaseGraphicsResources(window);
   Prepare(this->Extinction, window, vtkTextureObject::Linear);
   Prepare(this->Color, window, vtkTextureObject::Linear);
   const int size = this->Table.GetSize();
-  this->Extinction->Create1DFromRaw(size, 1, VTK_FLOAT, this->Table.Extinction.data());
   this->Color->Create1DFromRaw(size, 3, VTK_FLOAT, this->Table.Color.data());
+  if (!this->Table.Steep)
+  {
+    this->Extinction->Create1DFromRaw(size, 1, VTK_FLOAT, this->Table.Extinction.data());
+    return;
+  }
+  std::vector<float> extinction;
+  for (int entry = 0; entry < size; ++entry)
+  {
+    extinction.push_back(this->Table.Extinction[entry]);
+    extinction.push_back(this->Table.ExtinctionIntegral[entry]);
+  }
+  this->Extinction->Create1DFromRaw(size, 2, VTK_FLOAT, extinction.data());
+  Prepare(this->ColorIntegral, window, vtkTextureObject::Linear);
+  this->ColorIntegral->Create1DFromRaw(size, 4, VTK_FLOAT, this->Table.ColorIntegral.data());
 }
 
 //------------------------------------------------------------------------------
 void VolumeTextures::LoadPoints(vtkOpenGLRenderWindow* window)
 {
-  this->Extinction->ReleaseGraphicsResources(window);
-  this->Color->ReleaseGraphicsResources(window);
   const int points = this->Table.GetNumberOfPoints();
   std::vector<float> rows(4 * static_cast<size_t>(points), 0.0f);
   const double scale = this->Scalars.GetEncoding().Scale;
@@ -239,8 +256,8 @@ std::vector<vtkTextureObject*> VolumeTextures::GetLoaded() const
 {
   std::vector<vtkTextureObject*> loaded;
   for (vtkTextureObject* texture : std::initializer_list<vtkTextureObject*>{
-         this->Scalars.GetTexture(), this->Mask, this->Extinction, this->Color, this->Points,
-         this->GradientOpacityTexture, this->Gradients.GetTexture() })
+         this->Scalars.GetTexture(), this->Mask, this->Extinction, this->Color, this->ColorIntegral,
+         this->Points, this->GradientOpacityTexture, this->Gradients.GetTexture() })
   {
     if (texture->GetHandle())
     {
@@ -277,17 +294,19 @@ void VolumeTextures::SetUniforms(
   SetSampler(program, "scene_mask", this->Mask);
   SetSampler(program, "scene_extinction", this->Extinction);
   SetSampler(program, "scene_color", this->Color);
+  SetSampler(program, "scene_colorIntegral", this->ColorIntegral);
   SetSampler(program, "scene_points", this->Points);
   SetSampler(program, "scene_gradientOpacity", this->GradientOpacityTexture);
   SetSampler(program, "scene_gradients", this->Gradients.GetTexture());
   SetUniform(program, "scene_gradientScale", this->Gradients.GetScale() / encoding.Scale);
-  if (this->Table.Lookup == TransferFunctionLookup::Table)
+  if (this->Extinction->GetHandle())
   {
     const auto coordinate = GetTableCoordinate(this->Table.Low, this->Table.High,
       this->Table.Extinction.size(), encoding.Scale, encoding.Offset);
     SetUniform(program, "scene_tableCoordinate", coordinate);
+    this->SetIntegralUniforms(program);
   }
-  else
+  if (this->Table.Lookup == TransferFunctionLookup::Points)
   {
     program->SetUniformi("scene_pointSearchSteps", this->GetLookupIterations());
     SetUniform(program, "scene_pointOffset", (this->Table.Low - encoding.Offset) / encoding.Scale);
@@ -307,12 +326,28 @@ void VolumeTextures::SetUniforms(
 }
 
 //------------------------------------------------------------------------------
+void VolumeTextures::SetIntegralUniforms(vtkShaderProgram* program) const
+{
+  const double entries = this->Table.GetSize();
+  const std::array<double, 2> ends = { 0.5 / entries, 1.0 - 0.5 / entries };
+  SetUniform(program, "scene_tableEnds", ends);
+  // Two entries, each rounded in the table and once more in its interpolation. 0 would take
+  // rounding for steepness where there is no matter at all.
+  constexpr double rounding = 1.0 / (1 << 22);
+  constexpr double tooRoughForColor = 1e-4;
+  constexpr double least = 1e-30;
+  const double whole = this->Table.ExtinctionIntegral.back();
+  SetUniform(program, "scene_integralRounding", std::max(rounding * whole, least));
+  SetUniform(program, "scene_colorIntegralLeast", std::max(tooRoughForColor * whole, least));
+}
+
+//------------------------------------------------------------------------------
 void VolumeTextures::Release(vtkOpenGLRenderWindow* window)
 {
   this->Scalars.Release(window);
   this->Gradients.Release(window);
   for (vtkTextureObject* texture : { this->Mask.Get(), this->Extinction.Get(), this->Color.Get(),
-         this->Points.Get(), this->GradientOpacityTexture.Get() })
+         this->ColorIntegral.Get(), this->Points.Get(), this->GradientOpacityTexture.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

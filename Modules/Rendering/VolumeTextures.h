@@ -45,6 +45,7 @@ public:
   bool HasMask() const { return this->LoadedMask != nullptr; }
   bool AreTransferFunctionsAccurate() const { return this->Table.Accurate; }
   TransferFunctionLookup GetLookup() const { return this->Table.Lookup; }
+  bool AreTransferFunctionsSteep() const { return this->Table.Steep; }
   /// Halvings that a search among the points takes; 0 for a table.
   int GetLookupIterations() const;
   const GradientTextureReport& GetGradientReport() const { return this->Gradients.GetReport(); }
@@ -65,6 +66,7 @@ private:
   void LoadPoints(vtkOpenGLRenderWindow* window);
   void LoadGradientOpacity(
     vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, GradientEstimator estimator);
+  void SetIntegralUniforms(vtkShaderProgram* program) const;
   std::vector<vtkTextureObject*> GetLoaded() const;
 
   ScalarTexture Scalars;
@@ -88,6 +90,7 @@ private:
   GradientEstimator LoadedEstimator = GradientEstimator::CentralDifferences;
   vtkNew<vtkTextureObject> Extinction;
   vtkNew<vtkTextureObject> Color;
+  vtkNew<vtkTextureObject> ColorIntegral;
   vtkNew<vtkTextureObject> Points;
   vtkNew<vtkTextureObject> GradientOpacityTexture;
 };

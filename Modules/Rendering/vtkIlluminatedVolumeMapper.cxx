@@ -381,6 +381,8 @@ void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeP
   }
   lighted.Mask = this->Internal->Drawing.GetTextures().HasMask();
   lighted.Opacity = this->Internal->Drawing.GetTextures().GetLookup();
+  lighted.SteepOpacity = this->Internal->Drawing.GetTextures().AreTransferFunctionsSteep();
+  lighted.LinearInterpolation = property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
   if (this->OpticalModel != ByShade)
   {
     lighted.Optics = static_cast<penumbra::OpticalModel>(this->OpticalModel - Absorption);
@@ -483,7 +485,9 @@ void vtkIlluminatedVolumeMapper::PlanDraws()
                                                                        : 2.0 * task.SampleDistance;
   task.Lights = scene.Requirements.GetNumberOfLights();
   task.ShadowedLights = scene.Requirements.GetNumberOfShadowedLights();
-  task.LookupIterations = this->Internal->Drawing.GetTextures().GetLookupIterations();
+  task.LookupIterations = scene.Requirements.Opacity == TransferFunctionLookup::Points
+    ? this->Internal->Drawing.GetTextures().GetLookupIterations()
+    : 0;
   task.ClippingPlanes = scene.Requirements.ClippingPlanes;
   scene.Plan = PlanMarching(task);
   if (scene.Plan.Coarsened)

@@ -31,6 +31,7 @@ const std::vector<Change> changes = {
   [](LightingRequirements& r) { r.Cropping = CroppingKind::Box; },
   [](LightingRequirements& r) { r.Mask = true; },
   [](LightingRequirements& r) { r.Opacity = TransferFunctionLookup::Points; },
+  [](LightingRequirements& r) { r.PreIntegrated = true; },
 };
 
 vtkSmartPointer<vtkPiecewiseFunction> MakeGradientOpacity()
@@ -47,15 +48,16 @@ TEST_CASE("Requirements are equal when every field is, and differ when any does"
   // A new field does not compile here, so that it cannot be forgotten above.
   const LightingRequirements base;
   const auto& [optics, lights, technique, reflection, gradient, gradientTexture, fading, diffuse,
-    specular, sides, attenuation, gradientOpacity, planes, cropping, mask, opacity] = base;
+    specular, sides, attenuation, gradientOpacity, planes, cropping, mask, opacity, preIntegrated] =
+    base;
   CHECK_FALSE((diffuse || specular || sides || attenuation || gradientOpacity || mask));
-  CHECK_FALSE((gradientTexture || fading));
+  CHECK_FALSE((gradientTexture || fading || preIntegrated));
   CHECK(optics == OpticalModel::AbsorptionEmission);
   CHECK(
     (planes == 0 && cropping == CroppingKind::None && opacity == TransferFunctionLookup::Table));
   CHECK((lights == decltype(base.Lights){} && static_cast<int>(technique) == 0 &&
     static_cast<int>(reflection) == 0 && static_cast<int>(gradient) == 0));
-  CHECK(changes.size() == 16);
+  CHECK(changes.size() == 17);
 
   for (const Change& change : changes)
   {
@@ -136,4 +138,25 @@ TEST_CASE("No lights at all is a scene of ambient light only")
   CHECK(with.Requirements() == expected);
   with.scene.Lights = nullptr;
   CHECK(with.Requirements() == expected);
+}
+
+TEST_CASE("Steep functions are pre-integrated, where steps have a scalar at each end")
+{
+  LightsAndMaterial with;
+  CHECK_FALSE(with.Requirements().PreIntegrated);
+  with.scene.SteepOpacity = with.scene.LinearInterpolation = true;
+  CHECK(with.Requirements().PreIntegrated);
+  with.scene.Cropping = CroppingKind::Box;
+  CHECK(with.Requirements().PreIntegrated);
+  with.scene.Cropping = CroppingKind::Regions;
+  CHECK_FALSE(with.Requirements().PreIntegrated);
+  with.scene.Cropping = CroppingKind::None;
+  with.scene.Mask = true;
+  CHECK_FALSE(with.Requirements().PreIntegrated);
+  with.scene.Mask = false;
+  with.scene.Opacity = TransferFunctionLookup::Points;
+  CHECK(with.Requirements().PreIntegrated);
+  CHECK(with.Requirements().Opacity == TransferFunctionLookup::Table);
+  with.scene.LinearInterpolation = false;
+  CHECK_FALSE(with.Requirements().PreIntegrated);
 }

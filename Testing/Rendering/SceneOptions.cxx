@@ -40,11 +40,11 @@ void SetTransferFunctions(IlluminatedScene& scene, const SceneOptions& options)
 {
   scene.Opacity->RemoveAllPoints();
   scene.Opacity->AllowDuplicateScalarsOn();
-  scene.Opacity->AddPoint(50.0, 0.0);
+  scene.Opacity->AddPoint(options.steep ? 149.0 : 50.0, 0.0);
   scene.Opacity->AddPoint(150.0, 0.3);
   if (options.opacity == TransferFunctionLookup::Points)
   {
-    scene.Opacity->AddPoint(150.0, 0.5);
+    scene.Opacity->AddPoint(150.0, 0.4);
   }
   scene.Opacity->AddPoint(255.0, 0.5);
   vtkNew<vtkPiecewiseFunction> gradientOpacity;
@@ -121,6 +121,8 @@ LightingRequirements SceneOptions::Expected() const
   needs.Cropping = this->cropping;
   needs.Mask = this->mask;
   needs.Opacity = this->opacity;
+  needs.PreIntegrated = this->steep && this->opacity == TransferFunctionLookup::Table &&
+    !this->mask && this->cropping != CroppingKind::Regions;
   needs.Optics = this->optics;
   if (needs.IsShaded())
   {

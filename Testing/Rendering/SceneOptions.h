@@ -30,6 +30,8 @@ struct SceneOptions
   CroppingKind cropping = CroppingKind::Regions;
   bool mask = true;
   TransferFunctionLookup opacity = TransferFunctionLookup::Points;
+  /// Of a table: it jumps within a hundredth of the data's range.
+  bool steep = false;
   /// Draws to a buffer of its own first.
   bool gathering = true;
 

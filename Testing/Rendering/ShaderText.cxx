@@ -10,8 +10,8 @@ namespace
 {
 const std::map<std::string, std::vector<std::string>> Symbols = {
   { "optical model", { "compositingWeight(" } },
-  { "opacity", { "extinctionOf(" } },
-  { "colour", { "colorOf(" } },
+  { "opacity", { "RayEnd rayEndAt(" } },
+  { "pre-integration", { "scene_integralRounding", "meanExtinction" } },
   { "gradient opacity", { "scene_gradientOpacity", "scene_gradientToTable" } },
   { "clipping planes", { "scene_clippingPlanes" } },
   { "mask", { "scene_mask", "maskShows" } },
@@ -171,15 +171,19 @@ std::string FindWrongSymbols(const LightingRequirements& requirements, const std
   {
     // These are more than one line of text each, see below.
     const std::set<std::string> others = { "cropping", "diffuse term", "specular term",
-      "environment maps" };
+      "environment maps", "colour" };
     if (others.count(entry.Name) == 0)
     {
       wrong += Check(text, GetSymbols(entry.Name), entry.Needed);
     }
   }
   const bool table = requirements.Opacity == TransferFunctionLookup::Table;
+  const bool integrated = requirements.PreIntegrated;
   wrong += Check(text, { "scene_extinction", "scene_tableCoordinate" }, table);
-  wrong += Check(text, { "scene_color" }, table && requirements.NeedsColor());
+  wrong += Check(text, { "uniform sampler1D scene_color;" }, table && requirements.NeedsColor());
+  wrong += Check(text, { "scene_colorIntegral" }, integrated && requirements.NeedsColor());
+  wrong += Check(text, { "extinctionOf(" }, !integrated);
+  wrong += Check(text, { "colorOf(" }, !integrated && requirements.NeedsColor());
   wrong += Check(text, { "scene_points", "scene_pointSearchSteps" }, !table);
   wrong += FindWrongLoops(requirements, text);
   wrong += FindWrongTerms(requirements, text);

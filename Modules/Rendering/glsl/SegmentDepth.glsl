@@ -1,11 +1,27 @@
 // Optical depth of one step of a ray, its sample in the middle of what is shown of the step. The
-// position is moved there; the scalar is returned for the caller's colour.
+// position is moved there; the scalar is kept for the colour.
 
-float segmentDepth(inout vec3 position, vec3 direction, float stepLength, out float scalar)
+struct RayEnd
+{
+  float unused; // a sample needs nothing of the one before it
+};
+
+struct SegmentMatter
+{
+  float scalar;
+};
+
+RayEnd rayEndAt(vec3 position)
+{
+  return RayEnd(0.0);
+}
+
+float segmentDepth(
+  inout RayEnd end, inout vec3 position, vec3 direction, float stepLength, out SegmentMatter matter)
 {
   vec3 segment = direction * stepLength;
   float shown = shownByCropping(position, segment);
   shown *= shownByMask(position, segment * shown);
-  scalar = texture(scene_scalars, position).r;
-  return extinctionOf(scalar) * gradientOpacityAt(position) * (stepLength * shown);
+  matter.scalar = texture(scene_scalars, position).r;
+  return extinctionOf(matter.scalar) * gradientOpacityAt(position) * (stepLength * shown);
 }

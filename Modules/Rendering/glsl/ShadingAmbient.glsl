@@ -2,7 +2,7 @@
 
 uniform vec3 scene_ambient; // sum of the lights' ambient colours times the material's factor
 
-vec3 shadedColor(vec3 position, float scalar, vec3 view)
+vec3 shadedColor(vec3 position, vec3 color, vec3 view)
 {
-  return clamp(colorOf(scalar) * scene_ambient, 0.0, 1.0);
+  return clamp(color * scene_ambient, 0.0, 1.0);
 }

@@ -3,7 +3,7 @@
 
 uniform vec3 scene_ambient; // sum of the lights' ambient colours times the material's factor
 
-vec3 shadedColor(vec3 position, float scalar, vec3 view)
+vec3 shadedColor(vec3 position, vec3 color, vec3 view)
 {
   ShadedPoint point = shadedPoint(position, gradientAt(position), view);
   vec3 diffuse = scene_ambient;
@@ -13,5 +13,5 @@ vec3 shadedColor(vec3 position, float scalar, vec3 view)
     diffuse += environmentDiffuse(point);
     specular = environmentSpecular(point);
   }
-  return clamp(colorOf(scalar) * diffuse + specular, 0.0, 1.0);
+  return clamp(color * diffuse + specular, 0.0, 1.0);
 }

@@ -2,7 +2,7 @@
 
 uniform vec3 scene_ambient; // sum of the lights' ambient colours times the material's factor
 
-vec3 shadedColor(vec3 position, float scalar, vec3 view)
+vec3 shadedColor(vec3 position, vec3 color, vec3 view)
 {
   ShadedPoint point = shadedPoint(position, gradientAt(position), view);
   Reflection sum = Reflection(vec3(0.0), vec3(0.0));
@@ -18,5 +18,5 @@ vec3 shadedColor(vec3 position, float scalar, vec3 view)
     addSpotLights(point, sum);
 #endif
   }
-  return clamp(colorOf(scalar) * (scene_ambient + sum.diffuse) + sum.specular, 0.0, 1.0);
+  return clamp(color * (scene_ambient + sum.diffuse) + sum.specular, 0.0, 1.0);
 }

@@ -1,6 +1,6 @@
 // Emission and absorption alone: the colour of the transfer function.
 
-vec3 shadedColor(vec3 position, float scalar, vec3 view)
+vec3 shadedColor(vec3 position, vec3 color, vec3 view)
 {
-  return colorOf(scalar);
+  return color;
 }

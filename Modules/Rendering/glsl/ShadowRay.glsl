@@ -4,12 +4,12 @@
 
 uniform float scene_shadowSampleDistance;
 
-float shadowStepDepth(vec3 position, vec3 direction, float begin, float end)
+float shadowStepDepth(inout RayEnd rayEnd, vec3 position, vec3 direction, float begin, float end)
 {
   float stepLength = clamp(end - begin, 0.0, scene_shadowSampleDistance);
   vec3 middle = position + direction * (begin + 0.5 * stepLength);
-  float scalar;
-  return segmentDepth(middle, direction, stepLength, scalar);
+  SegmentMatter matter;
+  return segmentDepth(rayEnd, middle, direction, stepLength, matter);
 }
 
 float opticalDepth(vec3 position, vec3 direction, float begin, float end, float enough)
@@ -17,12 +17,13 @@ float opticalDepth(vec3 position, vec3 direction, float begin, float end, float 
   vec2 visible = keptByPlanes(insideBox(position, direction), position, direction);
   float last = min(end, visible.y);
   float depth = 0.0;
+  RayEnd rayEnd = rayEndAt(position + direction * begin);
   for (float at = begin; at < last && depth <= enough; at += 4.0 * scene_shadowSampleDistance)
   {
-    depth += shadowStepDepth(position, direction, at, last) +
-      shadowStepDepth(position, direction, at + scene_shadowSampleDistance, last) +
-      shadowStepDepth(position, direction, at + 2.0 * scene_shadowSampleDistance, last) +
-      shadowStepDepth(position, direction, at + 3.0 * scene_shadowSampleDistance, last);
+    depth += shadowStepDepth(rayEnd, position, direction, at, last);
+    depth += shadowStepDepth(rayEnd, position, direction, at + scene_shadowSampleDistance, last);
+    depth += shadowStepDepth(rayEnd, position, direction, at + 2.0 * scene_shadowSampleDistance, last);
+    depth += shadowStepDepth(rayEnd, position, direction, at + 3.0 * scene_shadowSampleDistance, last);
   }
   return depth;
 }

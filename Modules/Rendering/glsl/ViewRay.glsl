@@ -48,23 +48,26 @@ void main()
 
   vec4 accumulated = accumulatedBefore();
   int index = scene_firstStep;
+  RayEnd rayEnd = rayEndAt(base + direction * (inside.x + float(index) * scene_sampleDistance));
   while (index < last && accumulated.a < OpaqueEnough)
   {
     // Shading is dear: march on to the next sample that has any matter first.
     vec3 position;
-    float scalar;
+    float stepLength;
+    SegmentMatter matter;
     float depth = 0.0;
     for (; index < last && depth <= 0.0; ++index)
     {
       float begin = inside.x + float(index) * scene_sampleDistance;
-      float stepLength = min(scene_sampleDistance, inside.y - begin);
+      stepLength = min(scene_sampleDistance, inside.y - begin);
       position = base + direction * (begin + 0.5 * stepLength);
-      depth = segmentDepth(position, direction, stepLength, scalar);
+      depth = segmentDepth(rayEnd, position, direction, stepLength, matter);
     }
     float weight = compositingWeight(accumulated, depth);
     if (weight > 0.0)
     {
-      accumulated += weight * vec4(shadedColor(position, scalar, view), CompositedAlpha);
+      vec3 color = segmentColor(matter, position, direction * stepLength);
+      accumulated += weight * vec4(shadedColor(position, color, view), CompositedAlpha);
     }
   }
   gl_FragData[0] = accumulated;

@@ -1,0 +1,74 @@
+#include "Catch.h"
+#include "TransferFunctionLookup.h"
+
+#include <cmath>
+
+using namespace penumbra;
+
+namespace
+{
+// Opaque matter of a narrow range of scalars, as wide as `width`, in data of 0 to 255.
+TransferFunctionTable TableOfPeak(double width)
+{
+  OwnedFunctions owned{ { 0.0, 0.0 }, { 100.0, 0.0 }, { 100.0 + 0.5 * width, 0.6 },
+    { 100.0 + width, 0.0 }, { 255.0, 0.0 } };
+  owned.functions.DataHigh = 255.0;
+  owned.functions.IntegerData = true;
+  return MakeTransferFunctionTable(owned.functions, 8192);
+}
+}
+
+TEST_CASE("Integrals over a constant function are its value times what they are taken over")
+{
+  OwnedFunctions owned{ { 0.0, 0.5 }, { 255.0, 0.5 } };
+  owned.functions.DataHigh = 255.0;
+  const auto table = MakeTransferFunctionTable(owned.functions, 8192);
+  const std::size_t last = table.Extinction.size() - 1;
+  const double cell = 1.0 / static_cast<double>(table.Extinction.size());
+  const double length = static_cast<double>(last) * cell;
+  const double extinction = table.Extinction[0];
+  CHECK(table.ExtinctionIntegral.size() == table.Extinction.size());
+  CHECK(table.ColorIntegral.size() == 4 * table.Extinction.size());
+  CHECK(table.ExtinctionIntegral[0] == 0.0f);
+  CHECK(table.ExtinctionIntegral[last] == Approx(extinction * length));
+  // The integral of s u is s times half the difference of squares of the ends' coordinates.
+  const double from = 0.5 * cell;
+  const double to = from + length;
+  CHECK(table.ColorIntegral[4 * last + 3] == Approx(extinction * 0.5 * (to * to - from * from)));
+}
+
+TEST_CASE("Integrals of colour are weighted by the extinction")
+{
+  OwnedFunctions owned{ { 0.0, 0.2 }, { 255.0, 0.8 } };
+  owned.functions.DataHigh = 255.0;
+  const auto table = MakeTransferFunctionTable(owned.functions, 8192);
+  const std::size_t last = table.Extinction.size() - 1;
+  double sum = 0.0;
+  for (std::size_t entry = 0; entry < last; ++entry)
+  {
+    sum += 0.5 *
+      (table.Extinction[entry] * table.Color[3 * entry + 1] +
+        table.Extinction[entry + 1] * table.Color[3 * entry + 4]);
+  }
+  // The trapezoid rule is off by the product of the differences over a cell.
+  CHECK(table.ColorIntegral[4 * last + 1] * static_cast<double>(table.Extinction.size()) ==
+    Approx(sum).epsilon(1e-5));
+}
+
+TEST_CASE("Narrow peaks are steep, wide ramps are not")
+{
+  CHECK(TableOfPeak(2.0).Steep);
+  CHECK(TableOfPeak(8.0).Steep);
+  CHECK_FALSE(TableOfPeak(100.0).Steep);
+  OwnedFunctions ramp{ { 40.0, 0.0 }, { 110.0, 0.25 }, { 255.0, 0.6 } };
+  ramp.functions.DataHigh = 255.0;
+  CHECK_FALSE(MakeTransferFunctionTable(ramp.functions, 8192).Steep);
+}
+
+TEST_CASE("What hardly shows is not steep")
+{
+  OwnedFunctions faint{ { 0.0, 0.0 }, { 100.0, 0.0 }, { 101.0, 0.01 }, { 102.0, 0.0 },
+    { 255.0, 0.0 } };
+  faint.functions.DataHigh = 255.0;
+  CHECK_FALSE(MakeTransferFunctionTable(faint.functions, 8192).Steep);
+}
