@@ -3,7 +3,9 @@
 #include "OffscreenWindow.h"
 #include "Picture.h"
 #include "Process.h"
+#include "ProgressLine.h"
 #include "RenderingError.h"
+#include "SceneReference.h"
 #include "SceneRendering.h"
 
 #include <vtkImageData.h>
@@ -16,12 +18,11 @@ namespace penumbra
 {
 namespace
 {
-FrameTime RenderFrame(vtkRenderWindow* window)
+FrameTime RenderFrame(const FrameDrawing& drawing)
 {
   const double cpuBefore = ProcessorSeconds();
   const auto before = std::chrono::steady_clock::now();
-  window->Render();
-  window->WaitForCompletion();
+  drawing.Draw();
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
   return { passed.count(), ProcessorSeconds() - cpuBefore };
 }
@@ -54,17 +55,52 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(
 }
 
 //------------------------------------------------------------------------------
-RenderedFrames RenderFrames(SceneRendering& rendering, vtkRenderWindow* window,
-  const RenderCommand& command, const std::function<void(int)>& afterEachFrame)
+FrameDrawing DrawInWindow(vtkRenderWindow* window)
 {
   if (!window->SupportsOpenGL())
   {
     throw RenderingError("there is no OpenGL 3.2 to render with");
   }
+  const auto draw = [window]
+  {
+    window->Render();
+    window->WaitForCompletion();
+  };
+  return { draw, [window] { return ReadPicture(window); }, NameOfOpenGLRenderer(window), nullptr };
+}
+
+//------------------------------------------------------------------------------
+FrameDrawing DrawReference(
+  const SceneDescription& scene, const SceneVoxels& voxels, SceneRendering& rendering)
+{
+  const auto picture = std::make_shared<vtkSmartPointer<vtkImageData>>();
+  const auto statistics = std::make_shared<std::optional<ReferenceStatistics>>();
+  const auto draw = [=, &scene, &voxels, &rendering]
+  {
+    ProgressLine line("integrating");
+    ReferenceOptions options;
+    options.Progress = [&line](double part)
+    {
+      line.Tell(part);
+      return true;
+    };
+    const auto rendered =
+      ReferenceIntegrator(MakeReferenceScene(scene, voxels, rendering), options).Render();
+    *picture = rendered->Colors;
+    *statistics = rendered->Statistics;
+  };
+  return { draw, [picture] { return *picture; }, "none, reference integrator", statistics };
+}
+
+//------------------------------------------------------------------------------
+RenderedFrames RenderFrames(SceneRendering& rendering, const FrameDrawing& drawing,
+  const RenderCommand& command, const std::function<void(int)>& afterEachFrame)
+{
   RenderedFrames frames;
-  frames.First = RenderFrame(window);
-  frames.Picture = ReadPicture(window);
-  frames.OpenGLRenderer = NameOfOpenGLRenderer(window);
+  frames.First = RenderFrame(drawing);
+  frames.Picture = drawing.TakePicture();
+  frames.OpenGLRenderer = drawing.Renderer;
+  frames.Reference = drawing.Statistics ? *drawing.Statistics : std::nullopt;
   afterEachFrame(0);
   for (int frame = 1; frame <= command.NumberOfFrames; ++frame)
   {
@@ -72,7 +108,7 @@ RenderedFrames RenderFrames(SceneRendering& rendering, vtkRenderWindow* window,
     {
       ChangeScene(rendering, *command.Change);
     }
-    frames.Others.push_back(RenderFrame(window));
+    frames.Others.push_back(RenderFrame(drawing));
     afterEachFrame(frame);
   }
   return frames;

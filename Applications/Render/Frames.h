@@ -7,11 +7,14 @@
 #define Frames_h
 
 #include "CommandLine.h"
+#include "ReferenceIntegrator.h"
 
 #include <vtkSmartPointer.h>
 
 #include <array>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +25,8 @@ namespace penumbra
 {
 
 class SceneRendering;
+struct SceneDescription;
+struct SceneVoxels;
 
 struct FrameTime
 {
@@ -41,18 +46,37 @@ struct RenderedFrames
   std::vector<FrameTime> Others;
   /// Which driver drew them.
   std::string OpenGLRenderer;
+  /// Of the picture, where the reference integrator made it.
+  std::optional<ReferenceStatistics> Reference;
+};
+
+/// How a scene's frames are drawn.
+struct FrameDrawing
+{
+  /// Draws one, and returns when it is complete.
+  std::function<void()> Draw;
+  /// What was drawn last, RGBA.
+  std::function<vtkSmartPointer<vtkImageData>()> TakePicture;
+  std::string Renderer;
+  std::shared_ptr<std::optional<ReferenceStatistics>> Statistics;
 };
 
 /// A window without an X server that shows the rendering in this size.
 vtkSmartPointer<vtkRenderWindow> MakeWindow(
   SceneRendering& rendering, const std::array<int, 2>& size);
 
+/// By OpenGL. @throw RenderingError where the window has none.
+FrameDrawing DrawInWindow(vtkRenderWindow* window);
+
+/// By the reference integrator. The arguments must outlive the drawing.
+FrameDrawing DrawReference(
+  const SceneDescription& scene, const SceneVoxels& voxels, SceneRendering& rendering);
+
 /**
  * Renders the first frame and the others that are asked for. `afterEachFrame` is called with the
  * number of the frame, from 0; what it throws ends the rendering.
- * @throw RenderingError where the window has no OpenGL.
  */
-RenderedFrames RenderFrames(SceneRendering& rendering, vtkRenderWindow* window,
+RenderedFrames RenderFrames(SceneRendering& rendering, const FrameDrawing& drawing,
   const RenderCommand& command, const std::function<void(int)>& afterEachFrame);
 
 }

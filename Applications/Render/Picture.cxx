@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstring>
 
 namespace penumbra
@@ -24,7 +25,7 @@ constexpr int Channels = 4;
 std::string EncodePng(vtkImageData* picture)
 {
   vtkNew<vtkImageExtractComponents> colors;
-  colors->SetInputData(picture);
+  colors->SetInputData(ToBytes(picture));
   colors->SetComponents(0, 1, 2);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(colors->GetOutputPort());
@@ -47,10 +48,17 @@ std::string EncodeMha(vtkImageData* picture)
 {
   const int* size = picture->GetDimensions();
   const auto count = static_cast<std::size_t>(size[0]) * size[1] * Channels;
-  const auto* levels = static_cast<const unsigned char*>(picture->GetScalarPointer());
   std::vector<float> values(count);
-  std::transform(
-    levels, levels + count, values.begin(), [](unsigned char level) { return level / 255.0f; });
+  if (picture->GetScalarType() == VTK_FLOAT)
+  {
+    std::copy_n(static_cast<const float*>(picture->GetScalarPointer()), count, values.begin());
+  }
+  else
+  {
+    const auto* levels = static_cast<const unsigned char*>(picture->GetScalarPointer());
+    std::transform(
+      levels, levels + count, values.begin(), [](unsigned char level) { return level / 255.0f; });
+  }
   std::string bytes = "ObjectType = Image\n"
                       "NDims = 2\n"
                       "BinaryData = True\n"
@@ -102,6 +110,24 @@ vtkSmartPointer<vtkImageData> ReadPicture(vtkRenderWindow* window)
   }
   picture->GetPointData()->SetScalars(levels);
   return picture;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ToBytes(vtkImageData* picture)
+{
+  if (picture->GetScalarType() == VTK_UNSIGNED_CHAR)
+  {
+    return picture;
+  }
+  auto bytes = vtkSmartPointer<vtkImageData>::New();
+  bytes->SetDimensions(picture->GetDimensions());
+  bytes->AllocateScalars(VTK_UNSIGNED_CHAR, Channels);
+  const auto* values = static_cast<const float*>(picture->GetScalarPointer());
+  std::transform(values, values + Channels * picture->GetNumberOfPoints(),
+    static_cast<unsigned char*>(bytes->GetScalarPointer()),
+    [](float value)
+    { return static_cast<unsigned char>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f))); });
+  return bytes;
 }
 
 //------------------------------------------------------------------------------

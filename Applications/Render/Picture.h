@@ -34,7 +34,10 @@ PictureFormat FormatOf(const std::filesystem::path& file);
 /// The 8-bit RGBA picture that the window holds, bottom row first. Does not render.
 vtkSmartPointer<vtkImageData> ReadPicture(vtkRenderWindow* window);
 
-/// The bytes of a file that holds the picture of ReadPicture.
+/// The picture in 8 bits a channel, rounded; of ReadPicture's, or of floats from 0 to 1.
+vtkSmartPointer<vtkImageData> ToBytes(vtkImageData* picture);
+
+/// The bytes of a file that holds the picture: of ReadPicture, or floats from 0 to 1.
 std::string EncodePicture(vtkImageData* picture, PictureFormat format);
 
 }

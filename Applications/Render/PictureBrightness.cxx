@@ -1,5 +1,7 @@
 #include "PictureBrightness.h"
 
+#include "Picture.h"
+
 #include <vtkImageData.h>
 
 #include <algorithm>
@@ -17,7 +19,8 @@ constexpr double BlackBelow = 0.05;
 PictureBrightness MeasureBrightness(vtkImageData* picture)
 {
   const vtkIdType pixels = picture->GetNumberOfPoints();
-  const auto* levels = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  const auto bytes = ToBytes(picture);
+  const auto* levels = static_cast<const unsigned char*>(bytes->GetScalarPointer());
   PictureBrightness brightness;
   double covered = 0.0;
   for (vtkIdType pixel = 0; pixel < pixels; ++pixel, levels += 4)

@@ -24,7 +24,7 @@ struct PictureBrightness
   double Black = 0.0;
 };
 
-/// `picture` is what ReadPicture returns; a background other than black shines through.
+/// `picture` is one that EncodePicture takes; a background other than black shines through.
 PictureBrightness MeasureBrightness(vtkImageData* picture);
 
 }

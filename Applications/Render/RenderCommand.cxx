@@ -236,7 +236,6 @@ void Execute(const RenderCommand& command, vtkMessageCollector* messages)
   const std::string savedScene = command.SavedScene ? TextOf(scene, *command.SavedScene) : "";
 
   SceneRendering rendering(scene, voxels);
-  const auto window = MakeWindow(rendering, scene.Image.Size);
   TellProgress("rendering");
   const auto checkFrame = [&](int frame)
   {
@@ -250,9 +249,21 @@ void Execute(const RenderCommand& command, vtkMessageCollector* messages)
         std::to_string(command.NumberOfFrames));
     }
   };
-  const RenderedFrames frames = RenderFrames(rendering, window, command, checkFrame);
+  vtkSmartPointer<vtkRenderWindow> window;
+  FrameDrawing drawing;
+  if (scene.Renderer == RendererChoice::Reference)
+  {
+    drawing = DrawReference(scene, voxels, rendering);
+  }
+  else
+  {
+    window = MakeWindow(rendering, scene.Image.Size);
+    drawing = DrawInWindow(window);
+  }
+  const RenderedFrames frames = RenderFrames(rendering, drawing, command, checkFrame);
 
-  vtkIlluminatedVolumeMapper* mapper = rendering.GetIlluminatedMapper();
+  vtkIlluminatedVolumeMapper* mapper =
+    scene.Renderer == RendererChoice::Reference ? nullptr : rendering.GetIlluminatedMapper();
   CollectWarnings(rendering.GetWarnings(), warnings);
   if (mapper)
   {

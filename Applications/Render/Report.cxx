@@ -71,6 +71,19 @@ Json DescribeGradientTexture(vtkIlluminatedVolumeMapper* mapper)
     { "meanAngularError", mapper->GetGradientTextureAngularError() } };
 }
 
+// Null where it did not render.
+Json DescribeReference(const std::optional<ReferenceStatistics>& statistics)
+{
+  if (!statistics)
+  {
+    return nullptr;
+  }
+  return { { "largestError", statistics->LargestError },
+    { "rootMeanSquareError", statistics->RootMeanSquareError },
+    { "pixelsNotConverged", statistics->PixelsNotConverged }, { "samples", statistics->Samples },
+    { "shadowRays", statistics->ShadowRays } };
+}
+
 std::string NameOfTechnique(vtkIlluminatedVolumeMapper* mapper)
 {
   return mapper && mapper->GetRequirements().GetNumberOfShadowedLights() > 0 ? "rays" : "none";
@@ -108,6 +121,7 @@ std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
   report["medianFrameSeconds"] = Median(seconds);
   report["shadowUpdateSeconds"] = 0.0; // rays keep nothing between frames
   report["brightness"] = DescribeBrightness(frames.Picture);
+  report["reference"] = DescribeReference(frames.Reference);
   report["technique"] = NameOfTechnique(mapper);
   report["requirements"] = requirements;
   report["gradientTexture"] = DescribeGradientTexture(mapper);

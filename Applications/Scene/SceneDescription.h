@@ -184,7 +184,9 @@ struct ImageDescription
 enum class RendererChoice
 {
   Penumbra,
-  StockMapper
+  StockMapper,
+  /// On the CPU, in double precision.
+  Reference
 };
 
 struct SceneDescription

@@ -144,8 +144,8 @@ SceneDescription ParseScene(const nlohmann::json& json, const std::filesystem::p
   scene.Read("sampleDistance", description.SampleDistance, StepLengths);
   scene.Read("skipEmptySpace", description.SkipEmptySpace);
   scene.ReadChoice<RendererChoice>("renderer", description.Renderer,
-    { { "penumbra", RendererChoice::Penumbra }, { "vtk", RendererChoice::StockMapper } },
-    { "reference" });
+    { { "penumbra", RendererChoice::Penumbra }, { "vtk", RendererChoice::StockMapper },
+      { "reference", RendererChoice::Reference } });
   scene.RefuseUnknownKeys();
   return description;
 }

@@ -49,7 +49,7 @@ void TellReplacements(const SceneDescription& scene, std::vector<std::string>& w
 
 vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(const SceneDescription& scene)
 {
-  if (scene.Renderer == RendererChoice::Penumbra)
+  if (scene.Renderer != RendererChoice::StockMapper)
   {
     auto mapper = vtkSmartPointer<vtkIlluminatedVolumeMapper>::New();
     mapper->SetShadowTechniqueToRays();

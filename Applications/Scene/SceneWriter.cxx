@@ -116,6 +116,19 @@ const char* NameOf(GradientEstimator estimator)
   }
 }
 
+const char* NameOf(RendererChoice renderer)
+{
+  switch (renderer)
+  {
+    case RendererChoice::StockMapper:
+      return "vtk";
+    case RendererChoice::Reference:
+      return "reference";
+    default:
+      return "penumbra";
+  }
+}
+
 Json WriteMaterial(const MaterialDescription& material, const std::filesystem::path& folder)
 {
   Json json = { { "model", NameOf(material.Model) }, { "ambient", material.Ambient },
@@ -276,7 +289,7 @@ std::string WriteScene(const SceneDescription& scene, const std::filesystem::pat
   json["image"] = { { "size", scene.Image.Size }, { "background", scene.Image.Background } };
   json["sampleDistance"] = *scene.SampleDistance;
   json["skipEmptySpace"] = scene.SkipEmptySpace;
-  json["renderer"] = scene.Renderer == RendererChoice::Penumbra ? "penumbra" : "vtk";
+  json["renderer"] = NameOf(scene.Renderer);
   std::string text;
   Print(json, "", text);
   return text + "\n";
