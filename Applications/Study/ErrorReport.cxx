@@ -1,0 +1,271 @@
+#include "ErrorReport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <thread>
+
+namespace penumbra
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+constexpr double DefaultStep = 0.5;
+constexpr double BoundAtDefaultStep = 1.0;
+constexpr double BoundAtFinestStep = 0.5;
+// Twice what rounding to 8 bits alone may give.
+constexpr double WellAboveRounding = 0.6;
+const char* const Rays = "penumbra rays";
+
+std::vector<ErrorRow> RowsOf(
+  const std::vector<ErrorRow>& rows, const std::string& scene, const std::string& variant)
+{
+  std::vector<ErrorRow> found;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(found),
+    [&](const ErrorRow& row) { return row.Scene == scene && row.Variant == variant; });
+  return found;
+}
+
+std::string Fixed(double value, int digits)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+std::string StepName(double step)
+{
+  return step >= 1.0 ? Fixed(step, 0) : "1/" + Fixed(1.0 / step, 0);
+}
+
+std::string OrderInWords(const std::vector<ErrorRow>& rows, const std::string& scene)
+{
+  const auto order = ObservedOrder(rows, scene, Rays);
+  return order ? "order " + Fixed(*order, 1) : "too close to tell an order";
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> ScenesOf(const ErrorStudyResult& result)
+{
+  std::vector<std::string> scenes;
+  for (const ErrorRow& row : result.Rows)
+  {
+    if (scenes.empty() || scenes.back() != row.Scene)
+    {
+      scenes.push_back(row.Scene);
+    }
+  }
+  return scenes;
+}
+
+//------------------------------------------------------------------------------
+std::optional<double> ObservedOrder(
+  const std::vector<ErrorRow>& rows, const std::string& scene, const std::string& variant)
+{
+  double count = 0.0;
+  double sumX = 0.0;
+  double sumY = 0.0;
+  double sumXX = 0.0;
+  double sumXY = 0.0;
+  for (const ErrorRow& row : RowsOf(rows, scene, variant))
+  {
+    if (row.Error.RootMeanSquare > WellAboveRounding)
+    {
+      const double x = std::log(row.Step);
+      const double y = std::log(row.Error.RootMeanSquare);
+      count += 1.0;
+      sumX += x;
+      sumY += y;
+      sumXX += x * x;
+      sumXY += x * y;
+    }
+  }
+  if (count < 3.0)
+  {
+    return std::nullopt;
+  }
+  return (count * sumXY - sumX * sumY) / (count * sumXX - sumX * sumX);
+}
+
+//------------------------------------------------------------------------------
+std::vector<ErrorRow> ParetoFront(const std::vector<ErrorRow>& rows, const std::string& scene)
+{
+  std::vector<ErrorRow> sorted;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(sorted),
+    [&](const ErrorRow& row) { return row.Scene == scene; });
+  std::sort(sorted.begin(), sorted.end(),
+    [](const ErrorRow& a, const ErrorRow& b) { return a.CpuSeconds < b.CpuSeconds; });
+  std::vector<ErrorRow> front;
+  for (const ErrorRow& row : sorted)
+  {
+    if (front.empty() || row.Error.RootMeanSquare < front.back().Error.RootMeanSquare)
+    {
+      front.push_back(row);
+    }
+  }
+  return front;
+}
+
+//------------------------------------------------------------------------------
+std::string WriteErrorCsv(const ErrorStudyResult& result)
+{
+  std::ostringstream text;
+  text << "scene,variant,step,rmse,mean,p99.9,largest,ssim,seconds,cpu_seconds,relative\n";
+  text << std::setprecision(6);
+  for (const ErrorRow& row : result.Rows)
+  {
+    text << row.Scene << "," << row.Variant << "," << row.Step << "," << row.Error.RootMeanSquare
+         << "," << row.Error.Mean << "," << row.Error.Percentile999 << "," << row.Error.Largest
+         << "," << row.Error.StructuralSimilarity << "," << row.Seconds << "," << row.CpuSeconds
+         << "," << row.Relative << "\n";
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string WriteErrorJson(const ErrorStudyResult& result, const std::string& command)
+{
+  Json json = { { "penumbra", PENUMBRA_VERSION }, { "vtk", result.VTKVersion },
+    { "openglRenderer", result.OpenGLRenderer },
+    { "processors", std::thread::hardware_concurrency() }, { "command", command },
+    { "seeds", Json::array() }, { "referenceError", result.ReferenceError },
+    { "notes", result.Notes } };
+  for (const ErrorRow& row : result.Rows)
+  {
+    json["rows"].push_back({ { "scene", row.Scene }, { "variant", row.Variant },
+      { "step", row.Step }, { "rmse", row.Error.RootMeanSquare }, { "mean", row.Error.Mean },
+      { "p999", row.Error.Percentile999 }, { "largest", row.Error.Largest },
+      { "ssim", row.Error.StructuralSimilarity }, { "seconds", row.Seconds },
+      { "cpuSeconds", row.CpuSeconds }, { "relative", row.Relative } });
+  }
+  return json.dump(1) + "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string WriteErrorMarkdown(const ErrorStudyResult& result)
+{
+  std::ostringstream text;
+  text
+    << "Errors are grey levels of 255 against the reference, times processor seconds of a frame,\n"
+       "and as multiples of VTK's unlit frame at steps of one voxel.\n";
+  for (const std::string& scene : ScenesOf(result))
+  {
+    text << "\n## " << scene << "\n"
+         << OrderInWords(result.Rows, scene) << "\n\n"
+         << "| | step | RMSE | mean | 99.9 % | largest | similarity | time | of unlit |\n"
+         << "|---|---|---|---|---|---|---|---|---|\n";
+    for (const ErrorRow& row : result.Rows)
+    {
+      if (row.Scene == scene)
+      {
+        text << "| " << row.Variant << " | " << StepName(row.Step) << " | "
+             << Fixed(row.Error.RootMeanSquare, 2) << " | " << Fixed(row.Error.Mean, 2) << " | "
+             << Fixed(row.Error.Percentile999, 1) << " | " << Fixed(row.Error.Largest, 1) << " | "
+             << Fixed(row.Error.StructuralSimilarity, 4) << " | " << Fixed(row.CpuSeconds, 3)
+             << " | " << Fixed(row.Relative, 2) << " |\n";
+      }
+    }
+  }
+  for (const std::string& note : result.Notes)
+  {
+    text << "\n" << note << "\n";
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+ChartDescription ChartOfTime(const ErrorStudyResult& result, const std::string& scene)
+{
+  ChartDescription chart;
+  chart.Title = scene + ": error over time";
+  chart.XTitle = "processor time, in unlit frames of VTK";
+  chart.YTitle = "RMSE, grey levels of 255";
+  for (const StudyVariant& variant : GetStudyVariants())
+  {
+    ChartSeries series;
+    series.Name = variant.Name;
+    for (const ErrorRow& row : RowsOf(result.Rows, scene, variant.Name))
+    {
+      series.X.push_back(row.Relative);
+      series.Y.push_back(row.Error.RootMeanSquare);
+      series.Labels.push_back(StepName(row.Step));
+    }
+    chart.Series.push_back(series);
+  }
+  ChartLine front;
+  front.Name = "Pareto front";
+  for (const ErrorRow& row : ParetoFront(result.Rows, scene))
+  {
+    front.X.push_back(row.Relative);
+    front.Y.push_back(row.Error.RootMeanSquare);
+  }
+  chart.Guides.push_back(front);
+  return chart;
+}
+
+//------------------------------------------------------------------------------
+ChartDescription ChartOfStep(const ErrorStudyResult& result, const std::string& scene)
+{
+  ChartDescription chart;
+  chart.Title = scene + ": error over step, " + OrderInWords(result.Rows, scene);
+  chart.XTitle = "step, voxels";
+  chart.YTitle = "RMSE, grey levels of 255";
+  for (const StudyVariant& variant : GetStudyVariants())
+  {
+    ChartSeries series;
+    series.Name = variant.Name;
+    for (const ErrorRow& row : RowsOf(result.Rows, scene, variant.Name))
+    {
+      series.X.push_back(row.Step);
+      series.Y.push_back(row.Error.RootMeanSquare);
+    }
+    chart.Series.push_back(series);
+  }
+  const auto rays = RowsOf(result.Rows, scene, Rays);
+  if (rays.size() > 1)
+  {
+    const double coarsest = rays.front().Step;
+    const double finest = rays.back().Step;
+    const double error = rays.front().Error.RootMeanSquare;
+    const double ratio = finest / coarsest;
+    chart.Guides.push_back(
+      { "second order", { coarsest, finest }, { error, error * ratio * ratio } });
+  }
+  return chart;
+}
+
+//------------------------------------------------------------------------------
+ErrorSummary Summarize(const ErrorStudyResult& result)
+{
+  double atDefault = 0.0;
+  double atFinest = 0.0;
+  std::string worst;
+  for (const std::string& scene : ScenesOf(result))
+  {
+    const auto rays = RowsOf(result.Rows, scene, Rays);
+    for (const ErrorRow& row : rays)
+    {
+      if (row.Step == DefaultStep && row.Error.RootMeanSquare >= atDefault)
+      {
+        atDefault = row.Error.RootMeanSquare;
+        worst = scene;
+      }
+    }
+    if (!rays.empty())
+    {
+      atFinest = std::max(atFinest, rays.back().Error.RootMeanSquare);
+    }
+  }
+  ErrorSummary summary;
+  summary.WithinBounds = atDefault <= BoundAtDefaultStep && atFinest <= BoundAtFinestStep;
+  summary.Line = std::to_string(ScenesOf(result).size()) + " scenes, " +
+    std::to_string(result.Rows.size()) + " pictures: RMSE at most " + Fixed(atDefault, 2) +
+    " of 255 at the default step (" + worst + "; bound " + Fixed(BoundAtDefaultStep, 1) + "), " +
+    Fixed(atFinest, 2) + " at the finest (bound " + Fixed(BoundAtFinestStep, 1) + ")";
+  return summary;
+}
+
+}
