@@ -176,7 +176,7 @@ TEST_CASE("Bad input and usage end with status 2, one line, and nothing written"
     { { scene, "--output", folder.PathOf("a.png"), "--set", "volume.mask=scene.json" },
       "volume.mask" },
     { { scene, "--output", folder.PathOf("a.png"), "--set", "volume.file=none.mhd" }, "none.mhd" },
-    { { scene, "--output", folder.PathOf("a.png"), "--set", "renderer=reference" },
+    { { scene, "--output", folder.PathOf("a.png"), "--set", "shadows.technique=map" },
       "not available yet" },
     { { scene, "--output", folder.PathOf("a.png"), "--set", "nonsense" }, "nonsense" },
     { { scene, "--frames", "-1" }, "--frames" },

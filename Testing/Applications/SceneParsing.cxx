@@ -238,7 +238,6 @@ TEST_CASE("A volume's mistakes are named")
 TEST_CASE("What is not built yet is refused by its name")
 {
   const auto scene = GENERATE(values<std::string>({
-    R"(, "renderer": "reference")",
     R"(, "shadows": { "technique": "volume" })",
     R"(, "shadows": { "technique": "map" })",
     R"(, "shadows": { "technique": "deep-map" })",
