@@ -62,7 +62,7 @@ Illumination::Illumination(
 {
   if (this->Formula.GetModel() == ReflectionModel::ReflectionMap)
   {
-    this->Environment.emplace(scene.Property, tolerance);
+    this->Environment.emplace(vtkVolumeMaterial::SafeDownCast(scene.Property), tolerance);
   }
   else
   {
@@ -82,6 +82,12 @@ Illumination::Illumination(
         GetGradientNoise(matter.GetField(), matter.GetFrame().GetSpacing(), scene.Gradient);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::string Illumination::GetEnvironmentFault() const
+{
+  return this->Environment ? this->Environment->GetFault() : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -158,16 +164,16 @@ void Illumination::AddEnvironment(const MatterSample& sample, const vtkVector3d&
   double directional, ShadedSample& shaded) const
 {
   const vtkVector3d mirrored = normal * (2.0 * normal.Dot(sample.ToEye)) - sample.ToEye;
-  const Rgb diffuse = this->Environment->GetDiffuse(normal);
-  const Rgb specular = this->Environment->GetSpecular(mirrored);
-  const Rgb mean = this->Environment->GetMean();
+  const auto diffuse = this->Environment->GetDiffuse(normal);
+  const auto specular = this->Environment->GetSpecular(mirrored);
+  const Rgb& mean = this->Environment->GetMean();
   for (int channel = 0; channel < 3; ++channel)
   {
-    const double faded = directional * diffuse[channel] + (1.0 - directional) * mean[channel];
+    const double faded = directional * diffuse.Value[channel] + (1.0 - directional) * mean[channel];
     shaded.Color[channel] += sample.Color[channel] * this->Diffuse * faded +
-      this->Specular * directional * specular[channel];
+      this->Specular * directional * specular.Value[channel];
   }
-  shaded.Error += this->Environment->GetError();
+  shaded.Error += this->Diffuse * diffuse.Error + this->Specular * specular.Error;
 }
 
 //------------------------------------------------------------------------------

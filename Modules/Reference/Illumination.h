@@ -12,6 +12,7 @@
 #include "VolumeMatter.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace penumbra::reference
@@ -48,6 +49,9 @@ public:
   Illumination(const ReferenceScene& scene, const VolumeMatter& matter, double tolerance);
 
   ShadedSample Shade(const MatterSample& sample) const;
+
+  /// Why the environment map cannot be used; empty where it can or is not needed.
+  std::string GetEnvironmentFault() const;
 
   int GetNumberOfHardShadows() const { return this->HardShadows; }
 

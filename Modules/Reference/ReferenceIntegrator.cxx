@@ -110,14 +110,10 @@ public:
     , Model(Check(scene, options), options.Tolerance / GreyLevels, options.MostSamplesPerPixel)
     , Rays(scene)
   {
-    const std::size_t replaced = this->Model.Matter.GetField().GetNumberOfReplaced();
-    if (replaced > 0)
-    {
-      this->Warnings.push_back(std::to_string(replaced) +
-        " voxels that are NaN or infinite count as the smallest or the largest finite value");
-    }
+    this->Warn();
   }
 
+  void Warn();
   ReferencePixel Compose(const RayRadiance& ray) const;
 
   std::array<int, 2> Size;
@@ -129,10 +125,26 @@ public:
 };
 
 //------------------------------------------------------------------------------
+void ReferenceIntegrator::Internals::Warn()
+{
+  const std::size_t replaced = this->Model.Matter.GetField().GetNumberOfReplaced();
+  if (replaced > 0)
+  {
+    this->Warnings.push_back(std::to_string(replaced) +
+      " voxels that are NaN or infinite count as the smallest or the largest finite value");
+  }
+  const std::string fault =
+    this->Model.Lighting ? this->Model.Lighting->GetEnvironmentFault() : std::string();
+  if (!fault.empty())
+  {
+    this->Warnings.push_back("the environment map reflects nothing: " + fault);
+  }
+}
+
+//------------------------------------------------------------------------------
 ReferencePixel ReferenceIntegrator::Internals::Compose(const RayRadiance& ray) const
 {
   ReferencePixel pixel;
-  double error = ray.Error;
   const bool clamped = !this->Model.Absorbs();
   for (int channel = 0; channel < 3; ++channel)
   {
@@ -143,7 +155,7 @@ ReferencePixel ReferenceIntegrator::Internals::Compose(const RayRadiance& ray) c
     }
   }
   pixel.Color[3] = 1.0 - ray.Transmittance;
-  pixel.Error = error * GreyLevels;
+  pixel.Error = ray.Error * GreyLevels;
   pixel.Converged = ray.Converged;
   pixel.Samples = ray.Samples;
   pixel.ShadowRays = ray.ShadowRays;
