@@ -59,6 +59,21 @@ const ReferenceScene& Check(const ReferenceScene& scene, const ReferenceOptions&
   return scene;
 }
 
+/// Nothing absorbs it, so that it may exceed white by far; how far does not matter.
+void ClampEmission(ReferencePixel& pixel)
+{
+  double error = 0.0;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    double& color = pixel.Color[channel];
+    const double high = std::clamp(color + pixel.Error, 0.0, 1.0);
+    const double low = std::clamp(color - pixel.Error, 0.0, 1.0);
+    error = std::max(error, high - low);
+    color = std::clamp(color, 0.0, 1.0);
+  }
+  pixel.Error = error;
+}
+
 vtkSmartPointer<vtkImageData> MakePicture(const std::array<int, 2>& size, int components)
 {
   auto picture = vtkSmartPointer<vtkImageData>::New();
@@ -145,18 +160,19 @@ void ReferenceIntegrator::Internals::Warn()
 ReferencePixel ReferenceIntegrator::Internals::Compose(const RayRadiance& ray) const
 {
   ReferencePixel pixel;
-  const bool clamped = !this->Model.Absorbs();
+  pixel.Error = ray.Error;
   for (int channel = 0; channel < 3; ++channel)
   {
     pixel.Color[channel] = ray.Radiance[channel] + ray.Transmittance * this->Background[channel];
-    if (clamped)
-    {
-      pixel.Color[channel] = std::clamp(pixel.Color[channel], 0.0, 1.0);
-    }
   }
   pixel.Color[3] = 1.0 - ray.Transmittance;
-  pixel.Error = ray.Error * GreyLevels;
   pixel.Converged = ray.Converged;
+  if (!this->Model.Absorbs())
+  {
+    ClampEmission(pixel);
+    pixel.Converged = pixel.Error <= this->Model.Tolerance;
+  }
+  pixel.Error *= GreyLevels;
   pixel.Samples = ray.Samples;
   pixel.ShadowRays = ray.ShadowRays;
   return pixel;
