@@ -18,7 +18,7 @@
 namespace penumbra::reference
 {
 
-/// Where a function that is monotonic from `low` to `high`, and of opposite signs there, is 0, to
+/// Where a function changes its sign between `low` and `high`, at which it has different ones, to
 /// this resolution: regula falsi of the Illinois kind, bisection where that is slow.
 template <typename Function>
 double FindZero(Function function, double low, double high, double resolution = 1e-15)
@@ -27,33 +27,30 @@ double FindZero(Function function, double low, double high, double resolution = 
   constexpr int MostSteps = 80;
   double atLow = function(low);
   double atHigh = function(high);
-  double last = low;
-  for (int step = 0; step < MostSteps; ++step)
+  int lastSide = 0;
+  for (int step = 0; step < MostSteps && high - low > resolution; ++step)
   {
-    const bool fast = step < FastSteps && atHigh != atLow;
-    const double middle = fast
-      ? std::clamp((low * atHigh - high * atLow) / (atHigh - atLow), low, high)
+    const double secant = (low * atHigh - high * atLow) / (atHigh - atLow);
+    // Never at an end: then the bracket could not close.
+    const double middle = step < FastSteps
+      ? std::clamp(secant, low + 0.5 * resolution, high - 0.5 * resolution)
       : 0.5 * (low + high);
     const double value = function(middle);
-    if (value == 0.0 || std::abs(middle - last) < resolution)
-    {
-      return middle;
-    }
-    const bool rightOfMiddle = (value < 0.0) == (atLow < 0.0);
-    const bool again = rightOfMiddle == (last <= low) && step > 0;
-    if (rightOfMiddle)
+    const int side = (value < 0.0) == (atLow < 0.0) ? -1 : 1;
+    const double weight = side == lastSide ? 0.5 : 1.0;
+    if (side < 0)
     {
       low = middle;
       atLow = value;
-      atHigh *= again ? 0.5 : 1.0;
+      atHigh *= weight;
     }
     else
     {
       high = middle;
       atHigh = value;
-      atLow *= again ? 0.5 : 1.0;
+      atLow *= weight;
     }
-    last = middle;
+    lastSide = side;
   }
   return 0.5 * (low + high);
 }

@@ -43,7 +43,8 @@ Visibility GetHardShadow(
   OpticalDepth depth(matter, ofTransmittance, threshold + DepthBeyondShadow);
   depth.Integrate(ray);
   const double margin = depth.GetDepth() - threshold;
-  const double error = depth.GetError() * std::exp(depth.GetDepth());
+  const double error =
+    depth.GetError() * std::exp(std::min(depth.GetDepth(), threshold + DepthBeyondShadow));
   return { margin > 0.0 ? 0.0 : 1.0, std::abs(margin) < error ? 1.0 : 0.0,
     std::min(margin, DepthBeyondShadow) };
 }

@@ -58,8 +58,7 @@ bool OpticalDepth::AddSpan(const CellSpan& span)
 //------------------------------------------------------------------------------
 bool OpticalDepth::IsGood(const DepthEstimate& estimate, double length) const
 {
-  const bool certainlyBeyond = this->Depth + estimate.Depth - estimate.Error > this->Limit;
-  return certainlyBeyond || estimate.Error <= RoundingShare * estimate.Depth ||
+  return estimate.Error <= RoundingShare * estimate.Depth ||
     estimate.Error * std::exp(-this->Depth) <= this->TolerancePerLength * length;
 }
 
@@ -67,6 +66,12 @@ bool OpticalDepth::IsGood(const DepthEstimate& estimate, double length) const
 bool OpticalDepth::AddPart(const MatterPiece& piece, double begin, double end, int halvings)
 {
   const DepthEstimate estimate(piece, begin, end);
+  const double least = this->Depth + estimate.Depth - estimate.Error;
+  if (least > this->Limit)
+  {
+    this->Depth = least;
+    return false;
+  }
   const double length = (end - begin) * piece.Span->GetLength();
   if (halvings > 0 && ++this->Parts < MostParts && !this->IsGood(estimate, length))
   {

@@ -30,6 +30,7 @@ public:
   /// Along all of the ray, which is within the volume.
   void Integrate(const VolumeRay& ray);
 
+  /// Where it is beyond the limit, what it is at least.
   double GetDepth() const { return this->Depth; }
   bool IsBeyondLimit() const { return this->Depth > this->Limit; }
   /// A bound on the error of the transmittance, so far as it was integrated.

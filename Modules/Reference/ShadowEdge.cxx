@@ -12,6 +12,9 @@ namespace
 // The parabola is off by less than this share of its samples' range, where they show the margin.
 constexpr double Doubt = 0.25;
 
+// A margin of 0 is no shadow: with a threshold of 0 it is 0 wherever there is none.
+constexpr double LeastMargin = 1e-12;
+
 bool IsInShadow(double margin)
 {
   return margin > 0.0;
@@ -100,8 +103,13 @@ std::vector<ShadowEdge::Suspect> ShadowEdge::GetSuspects() const
 //------------------------------------------------------------------------------
 std::optional<double> ShadowEdge::Find(const MarginFunction& getMargin, double resolution) const
 {
+  const auto getSide = [&](double position)
+  {
+    const double margin = getMargin(position);
+    return IsInShadow(margin) ? margin : std::min(margin, -LeastMargin);
+  };
   const auto find = [&](double a, double b)
-  { return FindZero(getMargin, std::min(a, b), std::max(a, b), resolution); };
+  { return FindZero(getSide, std::min(a, b), std::max(a, b), resolution); };
   for (std::size_t i = 0; i + 1 < this->Samples.size(); ++i)
   {
     if (IsInShadow(this->Samples[i].Margin) != IsInShadow(this->Samples[i + 1].Margin))

@@ -50,13 +50,6 @@ ReferenceScene MakePlaneScene();
 /// Of the plane's colour at a point: red, green and blue.
 std::array<double, 3> ComputePlane(ReferenceScene scene, double x, double y);
 
-/// Of a field that has every value from 20 to 230, with shells, bumps and 8 x 8 x 8 voxels.
-vtkSmartPointer<vtkImageData> MakeBumps();
-
-/// Of the bumps: semi-transparent with steep and flat parts, shaded, lit from two sides, with soft
-/// shadows.
-ReferenceScene MakeBumpsScene();
-
 }
 
 #endif
