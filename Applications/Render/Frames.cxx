@@ -18,15 +18,6 @@ namespace penumbra
 {
 namespace
 {
-FrameTime RenderFrame(const FrameDrawing& drawing)
-{
-  const double cpuBefore = ProcessorSeconds();
-  const auto before = std::chrono::steady_clock::now();
-  drawing.Draw();
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
-  return { passed.count(), ProcessorSeconds() - cpuBefore };
-}
-
 std::string NameOfOpenGLRenderer(vtkRenderWindow* window)
 {
   const std::string capabilities = window->ReportCapabilities();
@@ -93,11 +84,21 @@ FrameDrawing DrawReference(
 }
 
 //------------------------------------------------------------------------------
+FrameTime TimeFrame(const FrameDrawing& drawing)
+{
+  const double cpuBefore = ProcessorSeconds();
+  const auto before = std::chrono::steady_clock::now();
+  drawing.Draw();
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
+  return { passed.count(), ProcessorSeconds() - cpuBefore };
+}
+
+//------------------------------------------------------------------------------
 RenderedFrames RenderFrames(SceneRendering& rendering, const FrameDrawing& drawing,
   const RenderCommand& command, const std::function<void(int)>& afterEachFrame)
 {
   RenderedFrames frames;
-  frames.First = RenderFrame(drawing);
+  frames.First = TimeFrame(drawing);
   frames.Picture = drawing.TakePicture();
   frames.OpenGLRenderer = drawing.Renderer;
   frames.Reference = drawing.Statistics ? *drawing.Statistics : std::nullopt;
@@ -108,7 +109,7 @@ RenderedFrames RenderFrames(SceneRendering& rendering, const FrameDrawing& drawi
     {
       ChangeScene(rendering, *command.Change);
     }
-    frames.Others.push_back(RenderFrame(drawing));
+    frames.Others.push_back(TimeFrame(drawing));
     afterEachFrame(frame);
   }
   return frames;

@@ -72,6 +72,9 @@ FrameDrawing DrawInWindow(vtkRenderWindow* window);
 FrameDrawing DrawReference(
   const SceneDescription& scene, const SceneVoxels& voxels, SceneRendering& rendering);
 
+/// Draws one frame.
+FrameTime TimeFrame(const FrameDrawing& drawing);
+
 /**
  * Renders the first frame and the others that are asked for. `afterEachFrame` is called with the
  * number of the frame, from 0; what it throws ends the rendering.

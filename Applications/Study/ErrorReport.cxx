@@ -1,5 +1,7 @@
 #include "ErrorReport.h"
 
+#include "NumberText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -26,13 +28,6 @@ std::vector<ErrorRow> RowsOf(
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(found),
     [&](const ErrorRow& row) { return row.Scene == scene && row.Variant == variant; });
   return found;
-}
-
-std::string Fixed(double value, int digits)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
 }
 
 std::string StepName(double step)

@@ -1,5 +1,7 @@
 #include "ErrorStudy.h"
 
+#include "Median.h"
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -24,17 +26,6 @@ constexpr double ReferenceTimeLimit = 3600.0;
 // Half a step takes twice the samples, and each of its shadow rays twice the samples of its own.
 constexpr double GrowthOfHalfStep = 4.0;
 
-double Median(std::vector<double> values)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 std::string TextOf(const fs::path& file)
 {
   std::ifstream stream(file, std::ios::binary);
@@ -52,18 +43,6 @@ std::string Number(double value)
 Json TimesOf(const Json& report)
 {
   return { { "seconds", report["frameSeconds"][0] }, { "cpu", report["frameCpuSeconds"][0] } };
-}
-
-Json ToJson(const PictureError& error)
-{
-  return { { "rmse", error.RootMeanSquare }, { "mean", error.Mean },
-    { "p999", error.Percentile999 }, { "largest", error.Largest },
-    { "ssim", error.StructuralSimilarity } };
-}
-
-PictureError FromJson(const Json& json)
-{
-  return { json["rmse"], json["mean"], json["p999"], json["largest"], json["ssim"] };
 }
 
 class Study
@@ -165,7 +144,8 @@ private:
         this->Note(variant.Name, step, "is more samples than a fragment may take; the grid ends");
         return;
       }
-      ErrorRow row{ this->Scene.Name, variant.Name, step, FromJson(picture["error"]), 0, 0, 0 };
+      ErrorRow row{ this->Scene.Name, variant.Name, step, picture["error"].get<PictureError>(), 0,
+        0, 0 };
       this->Result.Rows.push_back(row);
       this->Result.OpenGLRenderer = picture["opengl"];
       this->Result.VTKVersion = picture["vtk"];
@@ -207,7 +187,7 @@ private:
       return this->Log.Add(key, { { "failure", NameOf(result.End) + ": " + result.Error } });
     }
     Json measurement = TimesOf(result.Report);
-    measurement["error"] = ToJson(CompareWithReference(*result.Picture, this->Reference));
+    measurement["error"] = CompareWithReference(*result.Picture, this->Reference);
     measurement["opengl"] = result.Report["openglRenderer"];
     measurement["vtk"] = result.Report["vtkVersion"];
     const auto warnings = result.Report["warnings"].get<std::vector<std::string>>();

@@ -4,6 +4,11 @@
 #include "InputError.h"
 #include "ProgramFolder.h"
 #include "ProgressLine.h"
+#include "SpeedBounds.h"
+#include "SpeedCharts.h"
+#include "SpeedMarkdown.h"
+#include "SpeedReport.h"
+#include "SpeedScenes.h"
 #include "StabilityStudy.h"
 
 #include <CLI/CLI.hpp>
@@ -23,14 +28,18 @@ struct StudyWords
   std::string Study;
   std::vector<std::string> Scenes;
   std::string Output = "study";
+  /// Empty: where Data/fetch-data.sh leaves them.
+  std::string Fetched;
   bool Full = false;
 };
 
 // Nothing where the arguments only ask for words, which are then printed.
 std::optional<StudyWords> ParseWords(int argc, char* argv[])
 {
-  CLI::App program("Measures error against run time, and what comes out in extreme cases. A study "
-                   "that was interrupted goes on where it stopped.",
+  CLI::App program(
+    "Measures error against run time, what shadows cost, and what comes out in extreme "
+    "cases. A study "
+    "that was interrupted goes on where it stopped.",
     "penumbra-study");
   program.set_version_flag("--version", "penumbra-study " PENUMBRA_VERSION);
   StudyWords words;
@@ -38,6 +47,9 @@ std::optional<StudyWords> ParseWords(int argc, char* argv[])
   program.add_option("SCENE", words.Scenes, "Scene files [the study's own]")
     ->type_name("SCENE.json");
   program.add_option("--output", words.Output, "Folder for tables and charts [study]")
+    ->type_name("FOLDER");
+  program
+    .add_option("--data", words.Fetched, "Folder of the fetched volumes, for speed [Data/fetched]")
     ->type_name("FOLDER");
   program.add_flag("--full", words.Full, "The whole grid, however long it takes");
   try
@@ -58,26 +70,41 @@ std::optional<StudyWords> ParseWords(int argc, char* argv[])
 
 void CheckWords(const StudyWords& words)
 {
-  if (words.Study == "speed")
+  if (words.Study != "error" && words.Study != "stability" && words.Study != "speed")
   {
-    throw InputError("STUDY is speed, which is not available yet; accepted: error, stability");
-  }
-  if (words.Study != "error" && words.Study != "stability")
-  {
-    throw InputError("STUDY is \"" + words.Study + "\"; accepted: error, stability");
+    throw InputError("STUDY is \"" + words.Study + "\"; accepted: error, stability, speed");
   }
   if (words.Study == "stability" && !words.Scenes.empty())
   {
     throw InputError("the study of stability takes no scenes; it has its own");
   }
+  std::error_code ignored;
   for (const std::string& scene : words.Scenes)
   {
-    std::error_code ignored;
     if (!fs::is_regular_file(fs::u8path(scene), ignored))
     {
       throw InputError("there is no scene file " + scene);
     }
   }
+  if (!words.Fetched.empty() && !fs::is_directory(fs::u8path(words.Fetched), ignored))
+  {
+    throw InputError("--data is " + words.Fetched + ", which is no folder");
+  }
+}
+
+fs::path FetchedOf(const StudyWords& words)
+{
+  return words.Fetched.empty() ? fs::path(PENUMBRA_DATA) / "fetched" : fs::u8path(words.Fetched);
+}
+
+std::vector<fs::path> FilesOf(const StudyWords& words)
+{
+  std::vector<fs::path> files;
+  for (const std::string& scene : words.Scenes)
+  {
+    files.push_back(fs::absolute(fs::u8path(scene)));
+  }
+  return files;
 }
 
 std::string CommandOf(int argc, char* argv[])
@@ -106,11 +133,7 @@ fs::path MakeFolder(const std::string& name)
 void StudyError(const StudyWords& words, const RenderProgram& program, const fs::path& folder,
   const std::string& command)
 {
-  std::vector<fs::path> files;
-  for (const std::string& scene : words.Scenes)
-  {
-    files.push_back(fs::absolute(fs::u8path(scene)));
-  }
+  const std::vector<fs::path> files = FilesOf(words);
   const std::vector<StudyScene> scenes =
     files.empty() ? WriteDefaultScenes(folder / "scenes", PENUMBRA_DATA) : NameScenes(files);
   ErrorStudyResult result;
@@ -157,6 +180,37 @@ void StudyStability(
       "not all are right; " + (folder / "stability.md").u8string() + " tells");
   }
 }
+
+// Bounds that are missed are an error, once everything is written.
+void StudySpeed(const StudyWords& words, const SpeedMeasuring& measuring, const fs::path& folder,
+  const std::string& command)
+{
+  const SpeedSceneList list = words.Scenes.empty()
+    ? WriteSpeedScenes({ folder / "scenes", PENUMBRA_DATA, FetchedOf(words) })
+    : SpeedSceneList{ NameSpeedScenes(FilesOf(words)), {} };
+  SpeedStudyResult result;
+  {
+    ProgressLine line("studying speed");
+    result = RunSpeedStudy(MakeSpeedGrid(list.Scenes, words.Full),
+      { folder, measuring, [&line](double part) { line.Tell(part); } });
+  }
+  result.Notes.insert(result.Notes.begin(), list.Notes.begin(), list.Notes.end());
+  WriteText(folder / "speed.csv", WriteSpeedCsv(result));
+  WriteText(folder / "speed.json", WriteSpeedJson(result, command));
+  WriteText(folder / "speed-calibration.json", WriteSpeedCalibration(result, command));
+  WriteText(folder / "speed.md", WriteSpeedMarkdown(result));
+  for (const SpeedChart& chart : MakeSpeedCharts(result.Rows))
+  {
+    WriteChart(chart.Chart, folder / chart.File);
+  }
+  EndSpeedStudy(folder);
+  const SpeedSummary summary = SummarizeSpeed(result.Rows);
+  std::cout << summary.Line << std::endl;
+  if (!summary.WithinBounds)
+  {
+    throw std::runtime_error("a bound is missed; " + (folder / "speed.md").u8string() + " tells");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -169,10 +223,16 @@ void RunStudyCommand(int argc, char* argv[])
   }
   CheckWords(*words);
   const fs::path folder = MakeFolder(words->Output);
-  const RenderProgram program(FolderOfProgram(argv[0]) / PENUMBRA_RENDER_NAME, folder / "work");
+  const fs::path programs = FolderOfProgram(argv[0]);
+  const RenderProgram program(programs / PENUMBRA_RENDER_NAME, folder / "work");
   if (words->Study == "error")
   {
     StudyError(*words, program, folder, CommandOf(argc, argv));
+  }
+  else if (words->Study == "speed")
+  {
+    StudySpeed(*words, { programs / PENUMBRA_DICOM_PARSER, &program, words->Full }, folder,
+      CommandOf(argc, argv));
   }
   else
   {

@@ -9,6 +9,8 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -30,6 +32,14 @@ GreyPicture LuminanceOf(const StudyPicture& picture)
   return grey;
 }
 
+void RefuseOtherSize(const StudyPicture& picture, const StudyPicture& other)
+{
+  if (picture.Width != other.Width || picture.Height != other.Height)
+  {
+    throw std::invalid_argument("the pictures are of different sizes");
+  }
+}
+
 std::vector<double> DifferencesOf(const StudyPicture& left, const StudyPicture& right)
 {
   std::vector<double> differences;
@@ -43,6 +53,18 @@ std::vector<double> DifferencesOf(const StudyPicture& left, const StudyPicture& 
   }
   return differences;
 }
+}
+
+//------------------------------------------------------------------------------
+StudyPicture ToStudyPicture(vtkImageData* picture)
+{
+  const int* size = picture->GetDimensions();
+  const auto* levels = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  StudyPicture converted{ size[0], size[1], {} };
+  converted.Values.resize(static_cast<std::size_t>(Channels) * size[0] * size[1]);
+  std::transform(levels, levels + converted.Values.size(), converted.Values.begin(),
+    [](unsigned char level) { return level / 255.0f; });
+  return converted;
 }
 
 //------------------------------------------------------------------------------
@@ -80,10 +102,7 @@ void WriteStudyPicture(const StudyPicture& picture, const std::filesystem::path&
 //------------------------------------------------------------------------------
 PictureError CompareWithReference(const StudyPicture& picture, const StudyPicture& reference)
 {
-  if (picture.Width != reference.Width || picture.Height != reference.Height)
-  {
-    throw std::invalid_argument("the pictures are of different sizes");
-  }
+  RefuseOtherSize(picture, reference);
   std::vector<double> differences = DifferencesOf(picture, reference);
   PictureError error;
   for (const double difference : differences)
@@ -100,6 +119,36 @@ PictureError CompareWithReference(const StudyPicture& picture, const StudyPictur
   error.Percentile999 = *rank;
   error.StructuralSimilarity = StructuralSimilarity(LuminanceOf(picture), LuminanceOf(reference));
   return error;
+}
+
+//------------------------------------------------------------------------------
+double PartThatDiffers(const StudyPicture& picture, const StudyPicture& other)
+{
+  RefuseOtherSize(picture, other);
+  // A level and a half is more than one, however its floats are rounded.
+  constexpr double moreThanOne = 1.5;
+  const std::vector<double> differences = DifferencesOf(picture, other);
+  std::size_t pixels = 0;
+  for (std::size_t at = 0; at < differences.size(); at += 3)
+  {
+    pixels += *std::max_element(&differences[at], &differences[at] + 3) > moreThanOne ? 1 : 0;
+  }
+  return 3.0 * static_cast<double>(pixels) / static_cast<double>(differences.size());
+}
+
+//------------------------------------------------------------------------------
+void to_json(nlohmann::json& json, const PictureError& error)
+{
+  json = { { "rmse", error.RootMeanSquare }, { "mean", error.Mean },
+    { "p999", error.Percentile999 }, { "largest", error.Largest },
+    { "ssim", error.StructuralSimilarity } };
+}
+
+//------------------------------------------------------------------------------
+void from_json(const nlohmann::json& json, PictureError& error)
+{
+  error = { json.at("rmse"), json.at("mean"), json.at("p999"), json.at("largest"),
+    json.at("ssim") };
 }
 
 }

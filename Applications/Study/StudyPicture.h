@@ -6,8 +6,12 @@
 #ifndef StudyPicture_h
 #define StudyPicture_h
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <vector>
+
+class vtkImageData;
 
 namespace penumbra
 {
@@ -19,6 +23,9 @@ struct StudyPicture
   int Height = 0;
   std::vector<float> Values;
 };
+
+/// Of a window's picture: RGBA in 8 bits.
+StudyPicture ToStudyPicture(vtkImageData* picture);
 
 /// @throw std::runtime_error where the file is no picture of penumbra-render's.
 StudyPicture ReadStudyPicture(const std::filesystem::path& file);
@@ -38,6 +45,16 @@ struct PictureError
 
 /// @throw std::invalid_argument where the pictures' sizes differ.
 PictureError CompareWithReference(const StudyPicture& picture, const StudyPicture& reference);
+
+/// The part of all pixels, 0 to 1, that differ by more than a grey level of 255 in red, green or
+/// blue. @throw std::invalid_argument where the pictures' sizes differ.
+double PartThatDiffers(const StudyPicture& picture, const StudyPicture& other);
+
+/// As studies keep it.
+///@{
+void to_json(nlohmann::json& json, const PictureError& error);
+void from_json(const nlohmann::json& json, PictureError& error);
+///@}
 
 }
 

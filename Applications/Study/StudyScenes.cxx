@@ -94,6 +94,24 @@ std::vector<StudyScene> DataScenes(const fs::path& folder, const fs::path& data)
   WriteText(folder / "ct.json", scene.dump(2) + "\n");
   return { { "ct", folder / "ct.json" } };
 }
+
+// However many voxels, the volume is as large as that of 64^3.
+StudyGrid GridOf(int edge)
+{
+  const double spacing = 63.0 / (edge - 1);
+  return { { edge, edge, edge }, { spacing, spacing, spacing } };
+}
+
+StudyScene Write(const AnalyticScene& analytic, const fs::path& folder, int edge)
+{
+  const std::string volume = analytic.Name + ".vti";
+  WriteStudyVolume(MakeStudyVolume(GridOf(edge), analytic.Field), folder / volume);
+  Json scene = BaseScene(volume);
+  scene.merge_patch(Json::parse(analytic.Changes));
+  const fs::path file = folder / (analytic.Name + ".json");
+  WriteText(file, scene.dump(2) + "\n");
+  return { analytic.Name, file };
+}
 }
 
 //------------------------------------------------------------------------------
@@ -103,15 +121,23 @@ std::vector<StudyScene> WriteDefaultScenes(const fs::path& folder, const fs::pat
   std::vector<StudyScene> scenes = DataScenes(folder, data);
   for (const AnalyticScene& analytic : AnalyticScenes())
   {
-    const std::string volume = analytic.Name + ".vti";
-    WriteStudyVolume(MakeStudyVolume({}, analytic.Field), folder / volume);
-    Json scene = BaseScene(volume);
-    scene.merge_patch(Json::parse(analytic.Changes));
-    const fs::path file = folder / (analytic.Name + ".json");
-    WriteText(file, scene.dump(2) + "\n");
-    scenes.push_back({ analytic.Name, file });
+    scenes.push_back(Write(analytic, folder, 64));
   }
   return scenes;
+}
+
+//------------------------------------------------------------------------------
+StudyScene WriteAnalyticScene(const std::string& name, int edge, const fs::path& folder)
+{
+  fs::create_directories(folder);
+  const std::vector<AnalyticScene> scenes = AnalyticScenes();
+  const auto found = std::find_if(
+    scenes.begin(), scenes.end(), [&](const AnalyticScene& scene) { return scene.Name == name; });
+  if (found == scenes.end())
+  {
+    throw std::invalid_argument("there is no analytic scene " + name);
+  }
+  return Write(*found, folder, edge);
 }
 
 //------------------------------------------------------------------------------

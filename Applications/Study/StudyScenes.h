@@ -27,6 +27,13 @@ struct StudyScene
 std::vector<StudyScene> WriteDefaultScenes(
   const std::filesystem::path& folder, const std::filesystem::path& data);
 
+/**
+ * One of the analytic scenes by its name, with `edge` voxels along each edge of the same volume.
+ * @throw std::runtime_error where a file cannot be written.
+ */
+StudyScene WriteAnalyticScene(
+  const std::string& name, int edge, const std::filesystem::path& folder);
+
 /// Scene files by their names; of two with one name, the second gets a number.
 std::vector<StudyScene> NameScenes(const std::vector<std::filesystem::path>& files);
 

@@ -5,6 +5,7 @@
 
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkSMPTools.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <algorithm>
@@ -87,22 +88,29 @@ vtkSmartPointer<vtkImageData> MakeStudyVolume(const StudyGrid& grid, const Study
   volume->AllocateScalars(grid.ScalarType, 1);
   vtkDataArray* scalars = volume->GetPointData()->GetScalars();
   const bool whole = grid.ScalarType != VTK_FLOAT && grid.ScalarType != VTK_DOUBLE;
-  vtkIdType voxel = 0;
-  for (int k = 0; k < grid.Dimensions[2]; ++k)
+  const int columns = grid.Dimensions[0];
+  const int rows = grid.Dimensions[1];
+  const int slices = grid.Dimensions[2];
+  const auto fillSlices = [&](vtkIdType begin, vtkIdType end)
   {
-    for (int j = 0; j < grid.Dimensions[1]; ++j)
+    vtkIdType voxel = begin * columns * rows;
+    for (vtkIdType k = begin; k < end; ++k)
     {
-      for (int i = 0; i < grid.Dimensions[0]; ++i, ++voxel)
+      for (int j = 0; j < rows; ++j)
       {
-        const double value = field(Stretched(i, grid.Dimensions[0]),
-          Stretched(j, grid.Dimensions[1]), Stretched(k, grid.Dimensions[2]));
-        scalars->SetComponent(voxel, 0,
-          whole
-            ? std::clamp(std::round(value), scalars->GetDataTypeMin(), scalars->GetDataTypeMax())
-            : value);
+        for (int i = 0; i < columns; ++i, ++voxel)
+        {
+          const double value = field(
+            Stretched(i, columns), Stretched(j, rows), Stretched(static_cast<int>(k), slices));
+          scalars->SetComponent(voxel, 0,
+            whole
+              ? std::clamp(std::round(value), scalars->GetDataTypeMin(), scalars->GetDataTypeMax())
+              : value);
+        }
       }
     }
-  }
+  };
+  vtkSMPTools::For(0, slices, fillSlices);
   return volume;
 }
 

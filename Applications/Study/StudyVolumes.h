@@ -27,7 +27,8 @@ struct StudyGrid
   int ScalarType = VTK_UNSIGNED_CHAR;
 };
 
-/// The value at a voxel whose indices are stretched to -1 to 1 along each axis.
+/// The value at a voxel whose indices are stretched to -1 to 1 along each axis; asked by several
+/// threads at once.
 using StudyField = std::function<double(double x, double y, double z)>;
 
 /// Integer types take the nearest value that they can hold.

@@ -1,0 +1,151 @@
+#include "SpeedGrid.h"
+
+namespace penumbra
+{
+namespace
+{
+const std::vector<std::string> UnlitSettings = { "shade=false",
+  "opticalModel=absorption-emission" };
+const std::vector<std::string> StockUnlitSettings = { "renderer=vtk", "shade=false",
+  "opticalModel=absorption-emission" };
+
+std::vector<std::string> Lit(const std::vector<std::string>& more)
+{
+  std::vector<std::string> settings = { "shade=true", "opticalModel=single-scattering" };
+  settings.insert(settings.end(), more.begin(), more.end());
+  return settings;
+}
+
+std::vector<std::string> Shadowed(const std::string& shadow, const std::string& technique)
+{
+  return Lit({ "lights.0.shadow=" + shadow, "shadows.technique=" + technique });
+}
+
+// A shadow is held against rays with half the shadow step.
+SpeedVariant ShadowVariant(const std::string& technique, const std::string& shadow)
+{
+  SpeedVariant variant;
+  variant.Name = technique + (shadow == "hard" ? ", hard" : "");
+  variant.Request.Settings = Shadowed(shadow, technique);
+  variant.Truth = SpeedRequest{ Shadowed(shadow, "rays"), 1.0, 0.5 };
+  variant.HasEdits = true;
+  return variant;
+}
+
+// Shadows cached in more or fewer texels than the volume has voxels.
+void AddResolutions(std::vector<SpeedVariant>& variants)
+{
+  const std::pair<const char*, const char*> resolutions[] = { { "1/4", "0.25" }, { "1/2", "0.5" },
+    { "2", "2" } };
+  for (const char* technique : { "volume", "deep-map" })
+  {
+    for (const auto& [name, value] : resolutions)
+    {
+      SpeedVariant variant = ShadowVariant(technique, "soft");
+      variant.Name += std::string(" x ") + name;
+      variant.Request.Settings.push_back(std::string("shadows.resolution=") + value);
+      variants.push_back(variant);
+    }
+  }
+}
+
+// The picture of an unlit scene is the stock mapper's where steps are short.
+SpeedVariant UnlitAtQuarterVoxel()
+{
+  constexpr double quarter = 0.25;
+  return { "unlit, 1/4 voxel", { UnlitSettings, quarter },
+    SpeedRequest{ StockUnlitSettings, quarter }, false, 1 };
+}
+
+void AddImages(
+  const SpeedScene& scene, const std::vector<int>& images, std::vector<SpeedCell>& grid)
+{
+  for (const int image : images)
+  {
+    grid.push_back({ scene, 0, image, 1 });
+  }
+}
+
+void AddAxes(const SpeedScene& scene, std::vector<SpeedCell>& grid)
+{
+  for (const int edge : { 64, 128, 256 })
+  {
+    grid.push_back({ scene, edge, 512, 1 });
+  }
+  for (const int lights : { 2, 8 })
+  {
+    grid.push_back({ scene, 0, 512, lights });
+  }
+  AddImages(scene, { 128, 256 }, grid);
+}
+
+void AddProduct(const SpeedScene& scene, std::vector<SpeedCell>& grid)
+{
+  for (const int edge : { 0, 64, 128, 256, 512 })
+  {
+    for (const int lights : { 1, 2, 4, 8 })
+    {
+      const bool isThere = edge == 0 && (lights == 1 || lights == 4);
+      if (!isThere)
+      {
+        grid.push_back({ scene, edge, 512, lights });
+      }
+    }
+  }
+  AddImages(scene, { 128, 256, 1024 }, grid);
+}
+}
+
+//------------------------------------------------------------------------------
+const char* const StockUnlit = "vtk, unlit";
+
+//------------------------------------------------------------------------------
+std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full)
+{
+  std::vector<SpeedVariant> variants = { { StockUnlit, { StockUnlitSettings }, {} },
+    { "vtk, lit", { Lit({ "renderer=vtk" }) }, {} }, { "unlit", { UnlitSettings }, {} },
+    { "lit", { Lit({ "lights.0.shadow=none" }) }, {} } };
+  for (const char* technique : { "rays", "volume", "deep-map", "auto" })
+  {
+    variants.push_back(ShadowVariant(technique, "soft"));
+  }
+  if (cell.IsPlain())
+  {
+    variants.push_back(ShadowVariant("rays", "hard"));
+    variants.push_back(ShadowVariant("map", "hard"));
+    variants.push_back(UnlitAtQuarterVoxel());
+  }
+  if (full && cell.Lights == 1 && cell.Image == 512)
+  {
+    AddResolutions(variants);
+  }
+  return variants;
+}
+
+//------------------------------------------------------------------------------
+std::vector<SpeedCell> MakeSpeedGrid(const std::vector<SpeedScene>& scenes, bool full)
+{
+  std::vector<SpeedCell> grid;
+  for (const SpeedScene& scene : scenes)
+  {
+    grid.push_back({ scene });
+  }
+  for (const SpeedScene& scene : scenes)
+  {
+    grid.push_back({ scene, 0, 512, 4 });
+  }
+  for (const SpeedScene& scene : scenes)
+  {
+    if (full)
+    {
+      AddProduct(scene, grid);
+    }
+    else if (scene.HasAxes)
+    {
+      AddAxes(scene, grid);
+    }
+  }
+  return grid;
+}
+
+}

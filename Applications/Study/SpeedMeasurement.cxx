@@ -1,0 +1,300 @@
+#include "SpeedMeasurement.h"
+
+#include "InputError.h"
+#include "Median.h"
+#include "RenderingError.h"
+#include "SpeedRendering.h"
+
+#include <vtkImageData.h>
+#include <vtkOutputWindow.h>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+namespace penumbra
+{
+namespace
+{
+// Seconds of the processor. Frames that take longer are timed once, and those beyond the second
+// are left out unless all is asked for.
+constexpr double LongFrame = 2.0;
+constexpr double LongestFrame = 20.0;
+
+// VTK's messages go to each rendering in turn meanwhile.
+class MessagesKept
+{
+public:
+  MessagesKept()
+    : Window(vtkOutputWindow::GetInstance())
+  {
+  }
+  ~MessagesKept() { vtkOutputWindow::SetInstance(this->Window); }
+  MessagesKept(const MessagesKept&) = delete;
+  MessagesKept& operator=(const MessagesKept&) = delete;
+
+private:
+  vtkSmartPointer<vtkOutputWindow> Window;
+};
+
+struct Drawn
+{
+  SpeedVariant Variant;
+  SpeedRow Row;
+  std::unique_ptr<SpeedRendering> Rendering;
+  StudyPicture Picture;
+  std::vector<double> Cpu;
+  std::vector<double> Seconds;
+  std::vector<double> LightEdits;
+  std::vector<double> OpacityEdits;
+
+  // Called again for every round.
+  void Time()
+  {
+    const auto timed = static_cast<int>(this->Cpu.size());
+    if (timed >= this->Variant.Rounds || TakesLong(this->Cpu))
+    {
+      return;
+    }
+    const FrameTime time = this->Rendering->Draw();
+    this->Cpu.push_back(time.CpuSeconds);
+    this->Seconds.push_back(time.Seconds);
+    if (this->Variant.HasEdits)
+    {
+      this->TimeEdit(SceneChange::Light, this->LightEdits);
+      this->TimeEdit(SceneChange::Opacity, this->OpacityEdits);
+    }
+  }
+
+private:
+  static bool TakesLong(const std::vector<double>& cpu)
+  {
+    return !cpu.empty() && cpu.front() > LongFrame;
+  }
+
+  void TimeEdit(SceneChange change, std::vector<double>& cpu) const
+  {
+    if (!TakesLong(cpu))
+    {
+      cpu.push_back(this->Rendering->DrawAfter(change).CpuSeconds);
+    }
+  }
+};
+
+class CellMeasurement
+{
+public:
+  CellMeasurement(const SpeedCell& cell, const SpeedMeasuring& measuring)
+    : Cell(cell)
+    , Measuring(measuring)
+    , Voxels(ReadSpeedVoxels(cell, measuring.DicomParser))
+  {
+  }
+
+  SpeedCellResult Run()
+  {
+    for (const SpeedVariant& variant : GetSpeedVariants(this->Cell, this->Measuring.Full))
+    {
+      this->Attempt(variant.Name, [&] { this->DrawFirst(variant); });
+    }
+    for (Drawn& drawn : this->All)
+    {
+      this->Attempt(drawn.Variant.Name, [&] { this->Judge(drawn); });
+    }
+    for (int round = 0; round < MostRounds; ++round)
+    {
+      for (Drawn& drawn : this->All)
+      {
+        this->Attempt(drawn.Variant.Name, [&] { drawn.Time(); });
+      }
+    }
+    this->AddRows();
+    return this->Result;
+  }
+
+private:
+  // A variant that is refused or fails is a note, and the others go on.
+  template <class Task>
+  void Attempt(const std::string& variant, const Task& task)
+  {
+    try
+    {
+      task();
+    }
+    catch (const InputError& error)
+    {
+      this->Result.Notes.push_back(variant + " is left out: " + this->WithoutFile(error.what()));
+    }
+    catch (const RenderingError& error)
+    {
+      this->Note(variant + " failed: " + error.what());
+    }
+  }
+
+  // What is refused in one scene is so in all.
+  std::string WithoutFile(const std::string& error) const
+  {
+    const std::string file = this->Cell.Scene.File.u8string() + ": ";
+    return error.rfind(file, 0) == 0 ? error.substr(file.size()) : error;
+  }
+
+  void Note(const std::string& text)
+  {
+    this->Result.Notes.push_back(NameOfCell(this->Cell) + ": " + text);
+  }
+
+  std::unique_ptr<SpeedRendering> Render(const SpeedRequest& request) const
+  {
+    return std::make_unique<SpeedRendering>(
+      DescribeSpeedScene(this->Cell, request, this->Voxels), this->Voxels);
+  }
+
+  void DrawFirst(const SpeedVariant& variant)
+  {
+    Drawn drawn;
+    drawn.Variant = variant;
+    drawn.Row = this->MakeRow(variant);
+    drawn.Rendering = this->Render(variant.Request);
+    drawn.Row.First = drawn.Rendering->Draw().CpuSeconds;
+    if (drawn.Row.First > LongestFrame && !this->Measuring.Full)
+    {
+      this->Note(variant.Name + " is left out, as a frame takes about " +
+        std::to_string(static_cast<int>(drawn.Row.First)) + " s; --full takes it");
+      return;
+    }
+    drawn.Picture = drawn.Rendering->TakePicture();
+    for (const std::string& warning : drawn.Rendering->GetWarnings())
+    {
+      this->Note(variant.Name + ": " + warning);
+    }
+    this->All.push_back(std::move(drawn));
+  }
+
+  SpeedRow MakeRow(const SpeedVariant& variant) const
+  {
+    const int* size = this->Voxels.Volume->GetDimensions();
+    SpeedRow row;
+    row.Scene = this->Cell.Scene.Name;
+    row.HasBounds = this->Cell.Scene.HasBounds;
+    row.IsOwnSize = this->Cell.Edge == 0;
+    row.Edge = *std::max_element(size, size + 3);
+    row.Voxels = this->Voxels.Volume->GetNumberOfPoints();
+    row.Image = this->Cell.Image;
+    row.Lights = this->Cell.Lights;
+    row.Variant = variant.Name;
+    row.Resolution =
+      DescribeSpeedScene(this->Cell, variant.Request, this->Voxels).Shadows.Resolution;
+    return row;
+  }
+
+  // How right the picture is, what it took and what skipping changes.
+  void Judge(Drawn& drawn)
+  {
+    const nlohmann::json report = drawn.Rendering->Report();
+    this->Result.OpenGLRenderer = report["openglRenderer"];
+    drawn.Row.Technique = report["technique"];
+    drawn.Row.Counts = report.value("counts", std::map<std::string, double>());
+    if (drawn.Variant.Truth)
+    {
+      drawn.Row.Error = CompareWithReference(drawn.Picture, this->TruthOf(*drawn.Variant.Truth));
+    }
+    if (this->Cell.IsPlain())
+    {
+      drawn.Row.ChangedBySkipping = this->ChangedBySkipping(drawn);
+      drawn.Row.PeakMemory = this->PeakMemoryOf(drawn.Variant);
+    }
+  }
+
+  const StudyPicture& TruthOf(const SpeedRequest& request)
+  {
+    const std::string name = std::accumulate(
+      request.Settings.begin(), request.Settings.end(), std::to_string(request.Step));
+    const auto known = this->Truths.find(name);
+    if (known != this->Truths.end())
+    {
+      return known->second;
+    }
+    const auto rendering = this->Render(request);
+    rendering->Draw();
+    return this->Truths[name] = rendering->TakePicture();
+  }
+
+  std::optional<double> ChangedBySkipping(const Drawn& drawn) const
+  {
+    SpeedRequest request = drawn.Variant.Request;
+    request.Settings.push_back("skipEmptySpace=false");
+    if (DescribeSpeedScene(this->Cell, request, this->Voxels).Renderer != RendererChoice::Penumbra)
+    {
+      return std::nullopt;
+    }
+    const auto rendering = this->Render(request);
+    rendering->Draw();
+    return PartThatDiffers(drawn.Picture, rendering->TakePicture());
+  }
+
+  std::optional<std::uint64_t> PeakMemoryOf(const SpeedVariant& variant) const
+  {
+    if (!this->Measuring.Program)
+    {
+      return std::nullopt;
+    }
+    RenderRequest request{ this->Cell.Scene.File, variant.Request.Settings };
+    request.Settings.push_back("image.size=[16,16]");
+    const RenderResult result = this->Measuring.Program->Run(request);
+    return result.End == RenderEnd::Done
+      ? std::optional<std::uint64_t>(result.Report["peakMemoryBytes"])
+      : std::nullopt;
+  }
+
+  void AddRows()
+  {
+    double unlit = 0.0;
+    for (Drawn& drawn : this->All)
+    {
+      SpeedRow& row = drawn.Row;
+      row.CpuSeconds = Median(drawn.Cpu);
+      row.Seconds = Median(drawn.Seconds);
+      unlit = row.Variant == StockUnlit ? row.CpuSeconds : unlit;
+      row.Relative = unlit > 0.0 ? row.CpuSeconds / unlit : 0.0;
+      if (drawn.Variant.HasEdits)
+      {
+        row.LightEdit = Median(drawn.LightEdits);
+        row.OpacityEdit = Median(drawn.OpacityEdits);
+      }
+      this->Result.Rows.push_back(row);
+    }
+  }
+
+  SpeedCell Cell;
+  const SpeedMeasuring& Measuring;
+  MessagesKept Messages;
+  SceneVoxels Voxels;
+  std::vector<Drawn> All;
+  std::map<std::string, StudyPicture> Truths;
+  SpeedCellResult Result;
+};
+}
+
+//------------------------------------------------------------------------------
+SpeedCellResult MeasureSpeedCell(const SpeedCell& cell, const SpeedMeasuring& measuring)
+{
+  try
+  {
+    return CellMeasurement(cell, measuring).Run();
+  }
+  catch (const InputError& error)
+  {
+    return { {}, { NameOfCell(cell) + " is left out: " + error.what() }, {} };
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string NameOfCell(const SpeedCell& cell)
+{
+  return cell.Scene.Name + (cell.Edge > 0 ? ", " + std::to_string(cell.Edge) + " voxels" : "") +
+    ", " + std::to_string(cell.Image) + " pixels, " + std::to_string(cell.Lights) +
+    (cell.Lights > 1 ? " lights" : " light");
+}
+
+}

@@ -1,0 +1,116 @@
+#include "Catch.h"
+#include "SpeedMeasurement.h"
+#include "SpeedRendering.h"
+#include "SpeedScenes.h"
+#include "TemporaryFolder.h"
+
+#include <vtkImageData.h>
+
+#include <cmath>
+#include <set>
+
+using namespace penumbra;
+using Catch::Matchers::ContainsSubstring;
+
+namespace
+{
+SpeedCell Tree(const TemporaryFolder& folder, int edge, int lights)
+{
+  const StudyScene scene = WriteAnalyticScene("tree", 9, folder.PathOf(""));
+  return { { scene.Name, scene.File }, edge, 32, lights };
+}
+}
+
+TEST_CASE("The grid has every cell once, and the whole grid has more")
+{
+  const std::vector<SpeedScene> scenes = { { "a", "a.json", true, false },
+    { "b", "b.json", false, true } };
+  const auto cellsOf = [&](bool full)
+  {
+    std::set<std::string> cells;
+    for (const SpeedCell& cell : MakeSpeedGrid(scenes, full))
+    {
+      INFO(NameOfCell(cell));
+      CHECK(cells.insert(NameOfCell(cell)).second);
+    }
+    return cells;
+  };
+  const auto cells = cellsOf(false);
+  CHECK(cells.count("a, 512 pixels, 1 light"));
+  CHECK(cells.count("a, 512 pixels, 4 lights"));
+  CHECK_FALSE(cells.count("a, 64 voxels, 512 pixels, 1 light"));
+  CHECK(cells.count("b, 64 voxels, 512 pixels, 1 light"));
+  CHECK(cells.count("b, 512 pixels, 8 lights"));
+  CHECK(cells.count("b, 128 pixels, 1 light"));
+  const auto all = cellsOf(true);
+  CHECK(std::includes(all.begin(), all.end(), cells.begin(), cells.end()));
+  CHECK(all.count("a, 512 voxels, 512 pixels, 8 lights"));
+  CHECK(all.count("a, 1024 pixels, 1 light"));
+}
+
+TEST_CASE("Every variant has a name of its own, the stock mapper's unlit frame the first")
+{
+  for (const bool full : { false, true })
+  {
+    std::set<std::string> names;
+    const auto variants = GetSpeedVariants({ { "a", "a.json" } }, full);
+    for (const SpeedVariant& variant : variants)
+    {
+      CHECK(names.insert(variant.Name).second);
+    }
+    CHECK(variants.front().Name == StockUnlit);
+    CHECK(names.count("volume x 1/2") == (full ? 1 : 0));
+  }
+}
+
+TEST_CASE("A volume in another size fills the same box")
+{
+  const TemporaryFolder folder;
+  const SceneVoxels own = ReadSpeedVoxels(Tree(folder, 0, 1), {});
+  const SceneVoxels other = ReadSpeedVoxels(Tree(folder, 21, 1), {});
+  CHECK(own.Volume->GetDimensions()[0] == 9);
+  CHECK(other.Volume->GetDimensions()[2] == 21);
+  for (int side = 0; side < 6; ++side)
+  {
+    CHECK(other.Volume->GetBounds()[side] == Approx(own.Volume->GetBounds()[side]).margin(1e-9));
+  }
+}
+
+TEST_CASE("Steps are voxels, and lights copies of the first that are as bright together")
+{
+  const TemporaryFolder folder;
+  const SpeedCell cell = Tree(folder, 22, 4);
+  const SceneVoxels voxels = ReadSpeedVoxels(cell, {});
+  const SceneDescription scene = DescribeSpeedScene(
+    cell, { { "lights.0.shadow=hard", "shadows.resolution=0.5" }, 0.5, 2.0 }, voxels);
+  CHECK(*scene.SampleDistance == Approx(1.5));
+  CHECK(*scene.Shadows.SampleDistance == Approx(6.0));
+  CHECK(scene.Shadows.Resolution == 0.5);
+  CHECK(scene.Image.Size == std::array<int, 2>{ 32, 32 });
+  REQUIRE(scene.Lights.size() == 4);
+  Vector3 sum = { 0.0, 0.0, 0.0 };
+  for (const LightDescription& light : scene.Lights)
+  {
+    CHECK(light.Intensity == 0.25);
+    CHECK(light.Shadow == ShadowKind::Hard);
+    sum = Sum(sum, light.Direction);
+  }
+  // Evenly about the view's up, which is z, only what is along it remains.
+  CHECK(std::hypot(sum[0], sum[1]) < 1e-12);
+  CHECK(sum[2] == Approx(4.0 * scene.Lights[0].Direction[2]));
+}
+
+TEST_CASE("Scenes whose volume is not there are left out and named")
+{
+  const TemporaryFolder folder;
+  folder.Write("fetched/bonsai.mhd", "");
+  const SpeedSceneList list =
+    WriteSpeedScenes({ folder.PathOf("scenes"), PENUMBRA_DATA, folder.PathOf("fetched"), 8 });
+  REQUIRE(list.Scenes.size() == 4);
+  CHECK(list.Scenes[0].Name == "bonsai");
+  CHECK(list.Scenes[0].HasBounds);
+  CHECK(list.Scenes[1].Name == "tree");
+  CHECK_FALSE(list.Scenes[1].HasBounds);
+  CHECK(list.Notes.size() == 5);
+  CHECK_THAT(list.Notes[0], ContainsSubstring("engine is left out: there is no"));
+}

@@ -1,0 +1,109 @@
+#include "Catch.h"
+#include "SpeedCharts.h"
+#include "SpeedMarkdown.h"
+#include "SpeedReport.h"
+#include "SpeedRows.h"
+
+#include <nlohmann/json.hpp>
+
+using namespace penumbra;
+using Catch::Matchers::ContainsSubstring;
+
+namespace
+{
+SpeedStudyResult Result(const std::vector<SpeedRow>& rows)
+{
+  return { rows, { "map is left out: why" }, "a driver" };
+}
+
+SpeedRow Counted(SpeedRow row)
+{
+  row.Counts = { { "samples", 123456.0 } };
+  row.PeakMemory = 5000000000;
+  return row;
+}
+}
+
+TEST_CASE("A row is the same after it was written and read")
+{
+  const SpeedRow row = Counted(Cached("a", "volume", 0.2, 0.5));
+  const nlohmann::json json = row;
+  CHECK(nlohmann::json(json.get<SpeedRow>()) == json);
+  CHECK(json["peakMemoryBytes"] == 5000000000);
+  CHECK(json["changedBySkipping"].is_null());
+}
+
+TEST_CASE("Speed tables have a line for every row, and a column for what is counted")
+{
+  const auto rows = { Row("a", "unlit", 0.25), Counted(Cached("a", "volume", 0.5, 0.75)) };
+  const std::string csv = WriteSpeedCsv(Result(rows));
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 3);
+  CHECK_THAT(csv, ContainsSubstring("peak_memory_bytes,samples\n"));
+  CHECK_THAT(
+    csv, ContainsSubstring("\"volume\",volume,1,0.5,0.25,0.5,0,1,1.5,0.75,2,,5000000000,"));
+  const auto json = nlohmann::json::parse(WriteSpeedJson(Result(rows), "penumbra-study speed"));
+  CHECK(json["rows"].size() == 2);
+  CHECK(json["command"] == "penumbra-study speed");
+  CHECK(json["openglRenderer"] == "a driver");
+  CHECK(json["machine"]["processors"] > 0);
+  CHECK(json["bounds"][0]["held"] == true);
+  const std::string markdown = WriteSpeedMarkdown(Result(rows));
+  CHECK_THAT(markdown, ContainsSubstring("| unlit | 0.25 | 0.3 | median of 1 scene | held |"));
+  CHECK_THAT(markdown,
+    ContainsSubstring(
+      "| volume | 0.50 | 0.500 | 0.00 | 1.00 | 1.50 | 0.75 | 2.0 | - | 5000 | 123456 |"));
+  CHECK_THAT(markdown, ContainsSubstring("| a | 256 | 512 | 1 | 0.25 | 0.50 |"));
+  CHECK_THAT(markdown, ContainsSubstring("map is left out: why"));
+}
+
+TEST_CASE("The thesis' cases stand beside its figures, in own unlit frames")
+{
+  const auto rows = { Row("ct", "unlit", 0.2), Row("ct", "lit", 0.3), Row("ct", "rays", 0.5),
+    Row("skull", "unlit", 0.1) };
+  const std::string markdown = WriteSpeedMarkdown(Result(rows));
+  CHECK_THAT(markdown,
+    ContainsSubstring("| ct | 1.00 (0.20) | 1.50 (0.30) | 2.50 (0.50) | - | - | 1, 1.08, 2.1 |"));
+  CHECK_THAT(markdown, ContainsSubstring("| skull | 1.00 (0.10) | - | - | - | - | 1, 1, 2.6 |"));
+  CHECK_THAT(WriteSpeedMarkdown(Result({ Row("a", "unlit", 0.2) })), !ContainsSubstring("thesis"));
+}
+
+TEST_CASE("The calibration has every shadow with its error and costs, and nothing else")
+{
+  std::vector<SpeedRow> rows = { Row("a", "lit", 0.25), Cached("a", "volume", 0.5, 0.75),
+    Cached("a", "volume", 0.5, 0.75) };
+  rows[2].Lights = 4;
+  const auto json = nlohmann::json::parse(WriteSpeedCalibration(Result(rows), "c"));
+  REQUIRE(json["measurements"].size() == 1);
+  const auto& measurement = json["measurements"][0];
+  CHECK(measurement["technique"] == "volume");
+  CHECK(measurement["resolution"] == 1.0);
+  CHECK(measurement["rmse"] == 0.75);
+  CHECK(measurement["frame"] == 0.5);
+  CHECK(measurement["lightEdit"] == 1.0);
+  CHECK(measurement["opacityEdit"] == 1.5);
+}
+
+TEST_CASE("Charts run along one axis each")
+{
+  std::vector<SpeedRow> rows;
+  for (const int edge : { 256, 64, 128 })
+  {
+    rows.push_back(Row("a", "lit", 0.001 * edge));
+    rows.back().Edge = edge;
+    rows.back().IsOwnSize = false;
+  }
+  for (const int lights : { 1, 4 })
+  {
+    rows.push_back(Row("a", "rays", lights));
+    rows.back().Lights = lights;
+  }
+  rows.push_back(Row("b", "lit", 1.0));
+  const std::vector<SpeedChart> charts = MakeSpeedCharts(rows);
+  REQUIRE(charts.size() == 2);
+  CHECK(charts[0].File == "a-cost-over-edge");
+  CHECK(charts[0].Chart.Series[0].X == std::vector<double>{ 64.0, 128.0, 256.0 });
+  CHECK(charts[0].Chart.Series[0].Y == std::vector<double>{ 0.064, 0.128, 0.256 });
+  CHECK(charts[0].Chart.Guides[0].Y[1] == Approx(0.256));
+  CHECK(charts[1].File == "a-cost-over-lights");
+  CHECK(charts[1].Chart.Series.size() == 1);
+}

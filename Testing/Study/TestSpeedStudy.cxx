@@ -1,0 +1,150 @@
+#include "Catch.h"
+#include "InputError.h"
+#include "SpeedStudy.h"
+#include "StudyCommand.h"
+#include "StudyScenes.h"
+#include "TemporaryFolder.h"
+
+#include <algorithm>
+#include <filesystem>
+
+using namespace penumbra;
+using Catch::Matchers::ContainsSubstring;
+
+namespace
+{
+SpeedCell Balls(const TemporaryFolder& folder, int edge = 0, int lights = 1)
+{
+  const StudyScene scene = WriteAnalyticScene("two-balls", 24, folder.PathOf("scenes"));
+  return { { scene.Name, scene.File, true }, edge, 32, lights };
+}
+
+SpeedStudyResult Run(const std::vector<SpeedCell>& cells, const TemporaryFolder& folder)
+{
+  return RunSpeedStudy(cells, { folder.PathOf(""), {}, {} });
+}
+
+const SpeedRow* Find(const SpeedStudyResult& result, const std::string& variant)
+{
+  const auto found = std::find_if(result.Rows.begin(), result.Rows.end(),
+    [&](const SpeedRow& row) { return row.Variant == variant; });
+  return found == result.Rows.end() ? nullptr : &*found;
+}
+
+std::string ErrorOf(std::vector<std::string> words)
+{
+  std::vector<char*> arguments;
+  for (std::string& word : words)
+  {
+    arguments.push_back(word.data());
+  }
+  try
+  {
+    RunStudyCommand(static_cast<int>(arguments.size()), arguments.data());
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+}
+
+TEST_CASE("A small grid is drawn by every technique that there is")
+{
+  const TemporaryFolder folder;
+  SpeedCell cell = Balls(folder);
+  cell.Image = 512;
+  const RenderProgram program(PENUMBRA_RENDER, folder.PathOf(""));
+  const SpeedStudyResult result =
+    RunSpeedStudy({ cell }, { folder.PathOf(""), { {}, &program }, {} });
+  for (const char* variant : { "vtk, unlit", "vtk, lit", "unlit", "lit", "rays", "auto" })
+  {
+    CAPTURE(variant);
+    const SpeedRow* row = Find(result, variant);
+    REQUIRE(row);
+    CHECK(row->CpuSeconds > 0.0);
+    CHECK(row->First > 0.0);
+    CHECK(row->Edge == 24);
+    CHECK(row->Voxels == 24 * 24 * 24);
+    CHECK(*row->PeakMemory > 1000000);
+    CHECK(row->ChangedBySkipping.has_value() == (row->Variant.rfind("vtk", 0) != 0));
+    CHECK(row->ChangedBySkipping.value_or(0.0) <= 1e-4);
+  }
+  CHECK(Find(result, "vtk, unlit")->Relative == 1.0);
+  CHECK(Find(result, "unlit")->Technique == "none");
+  // 8-bit pictures of one integral at 4 steps a voxel: rounding, and what is left of the steps.
+  CHECK(Find(result, "unlit, 1/4 voxel")->Error->RootMeanSquare < 1.0);
+  CHECK_FALSE(Find(result, "lit")->Error);
+}
+
+TEST_CASE("A shadow is held against rays with half the shadow step, and edits of it are timed")
+{
+  const TemporaryFolder folder;
+  const SpeedStudyResult result = Run({ Balls(folder) }, folder);
+  const SpeedRow* rays = Find(result, "rays");
+  REQUIRE(rays);
+  CHECK(rays->Technique == "rays");
+  CHECK(*rays->LightEdit > 0.0);
+  CHECK(*rays->OpacityEdit > 0.0);
+  // Shadow steps of 5 lengths where the balls' borders are 5 thick.
+  CHECK(rays->Error->RootMeanSquare > 0.0);
+  CHECK(rays->Error->RootMeanSquare < 4.0);
+}
+
+TEST_CASE("A technique that this program lacks is left out and told once")
+{
+  const TemporaryFolder folder;
+  SpeedCell other = Balls(folder, 12);
+  std::filesystem::copy(other.Scene.File, folder.PathOf("scenes/other.json"));
+  other.Scene = { "other", folder.PathOf("scenes/other.json") };
+  const SpeedStudyResult result = Run({ Balls(folder), other }, folder);
+  for (const char* technique : { "volume", "deep-map" })
+  {
+    const auto told = std::count_if(result.Notes.begin(), result.Notes.end(),
+      [&](const std::string& note)
+      { return note.rfind(std::string(technique) + " is left out: ", 0) == 0; });
+    CHECK(told == (Find(result, technique) ? 0 : 1));
+  }
+}
+
+TEST_CASE("What was measured is not measured again, unless its scene has changed")
+{
+  const TemporaryFolder folder;
+  const SpeedCell first = Balls(folder);
+  const SpeedStudyResult before = Run({ first }, folder);
+  const SpeedStudyResult after = Run({ first, Balls(folder, 0, 2) }, folder);
+  CHECK(after.Rows.size() == 2 * before.Rows.size());
+  // No two measurements are the same to the last bit.
+  CHECK(after.Rows[0].CpuSeconds == before.Rows[0].CpuSeconds);
+  CHECK(after.Rows[0].First == before.Rows[0].First);
+  CHECK(after.Rows.back().Lights == 2);
+  folder.Write("scenes/two-balls.json", R"({ "volume": { "file": "two-balls.vti" } })");
+  CHECK(Run({ first }, folder).Rows[0].First != before.Rows[0].First);
+  EndSpeedStudy(folder.PathOf(""));
+  CHECK(folder.Names() == std::vector<std::string>{ "scenes" });
+}
+
+TEST_CASE("A scene that cannot be read is a note, and nothing to draw an error")
+{
+  const TemporaryFolder folder;
+  SpeedCell broken = Balls(folder);
+  broken.Scene = { "broken", folder.Write("broken.json", "{") };
+  const SpeedStudyResult result = Run({ broken, Balls(folder) }, folder);
+  CHECK_FALSE(result.Rows.empty());
+  CHECK_THAT(result.Notes[0], ContainsSubstring("broken, 32 pixels, 1 light is left out: "));
+  CHECK_THROWS_WITH(Run({ broken }, folder), ContainsSubstring("nothing could be drawn: broken"));
+  CHECK_THROWS_WITH(Run({}, folder), ContainsSubstring("no scenes"));
+}
+
+TEST_CASE("Arguments that are no study are refused")
+{
+  const TemporaryFolder folder;
+  CHECK_THAT(ErrorOf({ "penumbra-study", "fast" }),
+    ContainsSubstring("STUDY is \"fast\"; accepted: error, stability, speed"));
+  CHECK_THAT(ErrorOf({ "penumbra-study", "speed", "missing.json" }),
+    ContainsSubstring("there is no scene file missing.json"));
+  CHECK_THAT(ErrorOf({ "penumbra-study", "speed", "--data", folder.PathOf("missing") }),
+    ContainsSubstring("--data is " + folder.PathOf("missing") + ", which is no folder"));
+  CHECK_THAT(ErrorOf({ "penumbra-study", "speed", "--quick" }), ContainsSubstring("--quick"));
+}
