@@ -15,14 +15,6 @@
 namespace penumbra
 {
 
-/**
- * Observed order of convergence of one scene's variant: the slope of log error over log step by
- * least squares, over the errors that stand well above the 8 bits of a window (0.29 grey levels).
- * Empty where fewer than three do.
- */
-std::optional<double> ObservedOrder(
-  const std::vector<ErrorRow>& rows, const std::string& scene, const std::string& variant);
-
 /// The rows of a scene that no other is both faster and more accurate than, by time.
 std::vector<ErrorRow> ParetoFront(const std::vector<ErrorRow>& rows, const std::string& scene);
 

@@ -69,3 +69,19 @@ TEST_CASE("What is no picture is refused by name")
   const TemporaryFolder folder;
   CHECK_THROWS(ReadStudyPicture(folder.Write("p.mha", "no picture")));
 }
+
+TEST_CASE("Pixels that differ by a grey level are the same, and by two are not")
+{
+  StudyPicture picture{ 2, 2, std::vector<float>(16, 100.0f / 255.0f) };
+  StudyPicture other = picture;
+  other.Values[0] = 101.0f / 255.0f;
+  other.Values[6] = 99.0f / 255.0f;
+  CHECK(PartThatDiffers(picture, other) == 0.0);
+  other.Values[0] = 102.0f / 255.0f;
+  other.Values[1] = 110.0f / 255.0f;
+  CHECK(PartThatDiffers(picture, other) == 0.25);
+  // Alpha is not seen.
+  other.Values[15] = 0.0f;
+  CHECK(PartThatDiffers(picture, other) == 0.25);
+  CHECK_THROWS(PartThatDiffers(picture, { 1, 1, std::vector<float>(4) }));
+}
