@@ -101,7 +101,7 @@ std::vector<SpeedChart> MakeSpeedCharts(const std::vector<SpeedRow>& rows)
       chart.Title = scene + ": cost over " + axis.Title;
       chart.XTitle = axis.Title;
       chart.YTitle = "processor time of a frame, seconds";
-      chart.Guides.push_back(GuideAlong(chart.Series.front(), axis));
+      chart.Guides.push_back(GuideAlong(chart.Series.back(), axis));
       charts.push_back({ scene + "-cost-over-" + axis.Name, chart });
     }
   }

@@ -37,11 +37,13 @@ void AddResolutions(std::vector<SpeedVariant>& variants)
 {
   const std::pair<const char*, const char*> resolutions[] = { { "1/4", "0.25" }, { "1/2", "0.5" },
     { "2", "2" } };
-  for (const char* technique : { "volume", "deep-map" })
+  const std::pair<const char*, const char*> shadows[] = { { "volume", "soft" },
+    { "deep-map", "soft" }, { "map", "hard" } };
+  for (const auto& [technique, shadow] : shadows)
   {
     for (const auto& [name, value] : resolutions)
     {
-      SpeedVariant variant = ShadowVariant(technique, "soft");
+      SpeedVariant variant = ShadowVariant(technique, shadow);
       variant.Name += std::string(" x ") + name;
       variant.Request.Settings.push_back(std::string("shadows.resolution=") + value);
       variants.push_back(variant);

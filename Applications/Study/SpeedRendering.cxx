@@ -37,9 +37,11 @@ vtkSmartPointer<vtkImageData> Resample(vtkImageData* volume, int edge)
   resize->SetResizeMethodToOutputDimensions();
   resize->SetOutputDimensions(resampled);
   resize->Update();
-  // It tells the modality, by which a look is chosen.
-  resize->GetOutput()->SetFieldData(volume->GetFieldData());
-  return resize->GetOutput();
+  vtkImageData* output = resize->GetOutput();
+  // What the filter drops: how the volume lies, and its modality, by which a look is chosen.
+  output->SetDirectionMatrix(volume->GetDirectionMatrix());
+  output->SetFieldData(volume->GetFieldData());
+  return output;
 }
 
 // A headlight is one direction of the camera's frame.

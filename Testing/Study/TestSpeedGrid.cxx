@@ -3,6 +3,7 @@
 #include "SpeedRendering.h"
 #include "SpeedScenes.h"
 #include "TemporaryFolder.h"
+#include "VolumeBox.h"
 
 #include <vtkImageData.h>
 
@@ -65,14 +66,19 @@ TEST_CASE("Every variant has a name of its own, the stock mapper's unlit frame t
 
 TEST_CASE("A volume in another size fills the same box")
 {
-  const TemporaryFolder folder;
-  const SceneVoxels own = ReadSpeedVoxels(Tree(folder, 0, 1), {});
-  const SceneVoxels other = ReadSpeedVoxels(Tree(folder, 21, 1), {});
-  CHECK(own.Volume->GetDimensions()[0] == 9);
-  CHECK(other.Volume->GetDimensions()[2] == 21);
-  for (int side = 0; side < 6; ++side)
+  const SpeedCell own{ { "brain", PENUMBRA_DATA "/brain.json" } };
+  SpeedCell other = own;
+  other.Edge = 40;
+  const SceneVoxels voxels = ReadSpeedVoxels(own, {});
+  const SceneVoxels resampled = ReadSpeedVoxels(other, {});
+  const int* size = resampled.Volume->GetDimensions();
+  CHECK(std::vector<int>(size, size + 3) == std::vector<int>{ 40, 40, 26 });
+  const auto transform = SceneDescription().Volume.Transform;
+  const auto corners = VolumeBox(voxels.Volume, transform).GetCorners();
+  const auto resampledCorners = VolumeBox(resampled.Volume, transform).GetCorners();
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
   {
-    CHECK(other.Volume->GetBounds()[side] == Approx(own.Volume->GetBounds()[side]).margin(1e-9));
+    CHECK(Length(Difference(corners[corner], resampledCorners[corner])) < 1e-9);
   }
 }
 
