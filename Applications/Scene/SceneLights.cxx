@@ -35,6 +35,13 @@ Vector3 DirectionOf(const LightDescription& light)
 vtkSmartPointer<vtkVolumeLight> MakeLight(const LightDescription& description)
 {
   auto light = vtkSmartPointer<vtkVolumeLight>::New();
+  ApplyLight(description, light);
+  return light;
+}
+
+//------------------------------------------------------------------------------
+void ApplyLight(const LightDescription& description, vtkVolumeLight* light)
+{
   light->SetSwitch(description.On);
   if (description.Type == LightType::Headlight)
   {
@@ -60,7 +67,6 @@ vtkSmartPointer<vtkVolumeLight> MakeLight(const LightDescription& description)
   light->SetShadow(static_cast<int>(description.Shadow));
   light->SetOpacityThreshold(description.OpacityThreshold);
   light->SetShadowBias(description.ShadowBias.value_or(-1.0));
-  return light;
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,8 @@
 #include <vtkPiecewiseFunction.h>
 #include <vtkVolumeMaterial.h>
 
+#include <tuple>
+
 namespace penumbra
 {
 namespace
@@ -119,6 +121,21 @@ vtkSmartPointer<vtkVolumeMaterial> MakeVolumeMaterial(
   SetMaterial(scene.Material, material);
   material->SetEnvironmentMap(environment);
   return material;
+}
+
+//------------------------------------------------------------------------------
+bool HaveSameMaterial(const SceneDescription& a, const SceneDescription& b)
+{
+  const auto function = [](const TransferFunctionDescription& f)
+  { return std::tie(f.Opacity, f.Color, f.GradientOpacity, f.OpacityUnitDistance); };
+  const auto material = [](const MaterialDescription& m)
+  {
+    return std::tie(m.Model, m.Ambient, m.Diffuse, m.Specular, m.SpecularPower, m.Roughness,
+      m.RoughnessX, m.RoughnessY, m.PreferredDirection, m.Slope, m.Distribution, m.GaussianConstant,
+      m.IndexOfRefraction, m.EnvironmentMap, m.NoiseFading);
+  };
+  return a.Optics == b.Optics && function(a.TransferFunction) == function(b.TransferFunction) &&
+    material(a.Material) == material(b.Material);
 }
 
 }

@@ -31,6 +31,9 @@ EnvironmentImages ReadEnvironmentImages(const MaterialDescription& material);
 vtkSmartPointer<vtkVolumeMaterial> MakeVolumeMaterial(
   const SceneDescription& scene, const EnvironmentImages& environment);
 
+/// Whether MakeVolumeMaterial makes the same of both scenes, with the same environment.
+bool HaveSameMaterial(const SceneDescription& a, const SceneDescription& b);
+
 }
 
 #endif

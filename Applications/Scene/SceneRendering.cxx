@@ -14,6 +14,8 @@
 #include <vtkVolumeLight.h>
 #include <vtkVolumeMaterial.h>
 
+#include <utility>
+
 namespace penumbra
 {
 namespace
@@ -25,21 +27,17 @@ constexpr std::size_t MostLightsOfStockMapper = 6;
 //------------------------------------------------------------------------------
 SceneRendering::SceneRendering(const SceneDescription& scene, const SceneVoxels& voxels)
   : Scene(scene)
+  , Image(voxels.Volume)
   , Box(voxels.Volume, scene.Volume.Transform)
 {
   this->Volume->SetMapper(MakeMapper(scene, voxels, this->Warnings));
   this->Volume->SetProperty(MakeVolumeMaterial(scene, voxels.Environment));
-  vtkNew<vtkMatrix4x4> transform;
-  transform->DeepCopy(scene.Volume.Transform.data());
-  this->Volume->SetUserMatrix(transform);
-
   this->Renderer->AddVolume(this->Volume);
-  this->Renderer->SetBackground(scene.Image.Background.data());
-  this->Renderer->SetTwoSidedLighting(scene.TwoSidedLighting);
   this->Renderer->AutomaticLightCreationOff();
   // They cull by VTK's bounds, which are not where the volume is (see VolumeBox).
   this->Renderer->GetCullers()->RemoveAllItems();
-  this->AddLights();
+  this->SetTransform();
+  this->SetSurroundings();
   ApplyCamera(scene.Camera, this->Renderer->GetActiveCamera());
   this->ObserverOfFrames =
     this->Renderer->AddObserver(vtkCommand::StartEvent, this, &SceneRendering::PrepareFrame);
@@ -58,18 +56,63 @@ vtkIlluminatedVolumeMapper* SceneRendering::GetIlluminatedMapper() const
 }
 
 //------------------------------------------------------------------------------
-void SceneRendering::AddLights()
+void SceneRendering::Update(const SceneDescription& scene, const EnvironmentImages& environment)
 {
-  std::size_t lightsOn = 0;
-  for (const LightDescription& description : this->Scene.Lights)
+  const SceneDescription before = std::exchange(this->Scene, scene);
+  this->Warnings.clear();
+  ApplyToMapper(
+    scene, vtkGPUVolumeRayCastMapper::SafeDownCast(this->Volume->GetMapper()), this->Warnings);
+  if (!HaveSameMaterial(before, scene))
   {
-    this->Lights.push_back(MakeLight(description));
-    lightsOn += description.On ? 1 : 0;
+    this->Volume->SetProperty(MakeVolumeMaterial(scene, environment));
+  }
+  if (before.Volume.Transform != scene.Volume.Transform)
+  {
+    this->SetTransform();
+  }
+  this->SetSurroundings();
+}
+
+//------------------------------------------------------------------------------
+void SceneRendering::SetTransform()
+{
+  vtkNew<vtkMatrix4x4> transform;
+  transform->DeepCopy(this->Scene.Volume.Transform.data());
+  this->Volume->SetUserMatrix(transform);
+  this->Box = VolumeBox(this->Image, this->Scene.Volume.Transform);
+}
+
+//------------------------------------------------------------------------------
+void SceneRendering::SetSurroundings()
+{
+  this->Renderer->SetBackground(this->Scene.Image.Background.data());
+  this->Renderer->SetTwoSidedLighting(this->Scene.TwoSidedLighting);
+  this->SetLights();
+}
+
+//------------------------------------------------------------------------------
+void SceneRendering::SetLights()
+{
+  while (this->Lights.size() > this->Scene.Lights.size())
+  {
+    this->Renderer->RemoveLight(this->Lights.back());
+    this->Lights.pop_back();
+  }
+  while (this->Lights.size() < this->Scene.Lights.size())
+  {
+    this->Lights.push_back(vtkSmartPointer<vtkVolumeLight>::New());
+  }
+  std::size_t lightsOn = 0;
+  for (std::size_t i = 0; i < this->Lights.size(); ++i)
+  {
+    ApplyLight(this->Scene.Lights[i], this->Lights[i]);
+    lightsOn += this->Scene.Lights[i].On ? 1 : 0;
     const bool fits =
       lightsOn <= MostLightsOfStockMapper || this->Scene.Renderer != RendererChoice::StockMapper;
+    this->Renderer->RemoveLight(this->Lights[i]);
     if (fits)
     {
-      this->Renderer->AddLight(this->Lights.back());
+      this->Renderer->AddLight(this->Lights[i]);
     }
   }
   if (this->Scene.Renderer == RendererChoice::StockMapper && lightsOn > MostLightsOfStockMapper)

@@ -36,6 +36,12 @@ public:
   SceneRendering(const SceneRendering&) = delete;
   SceneRendering& operator=(const SceneRendering&) = delete;
 
+  /**
+   * Shows another resolved scene of the same voxels and the same renderer, all but its camera. What
+   * is as it was is not modified, and nothing computed from it is computed again.
+   */
+  void Update(const SceneDescription& scene, const EnvironmentImages& environment);
+
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   vtkVolume* GetVolume() const { return this->Volume; }
 
@@ -52,10 +58,13 @@ public:
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
 private:
-  void AddLights();
+  void SetTransform();
+  void SetSurroundings();
+  void SetLights();
   void PrepareFrame();
 
   SceneDescription Scene;
+  vtkSmartPointer<vtkImageData> Image;
   VolumeBox Box;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkVolume> Volume;
