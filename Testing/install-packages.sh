@@ -13,9 +13,11 @@ packages=(
   libcli11-dev
   libgdcm-dev
   catch2
+  libvtk9-qt-dev
+  qtbase5-dev
 )
 if [[ "${1:-}" == --tests ]]; then
-  packages+=(python3-pydicom)
+  packages+=(python3-pydicom xvfb)
 fi
 
 is_installed() {

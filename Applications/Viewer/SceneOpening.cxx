@@ -1,0 +1,110 @@
+#include "SceneOpening.h"
+
+#include <QMetaObject>
+
+#include <exception>
+#include <new>
+#include <utility>
+
+namespace penumbra
+{
+
+//------------------------------------------------------------------------------
+SceneOpening::SceneOpening(std::filesystem::path dicomParser, QObject* parent)
+  : QObject(parent)
+  , DicomParser(std::move(dicomParser))
+{
+}
+
+//------------------------------------------------------------------------------
+SceneOpening::~SceneOpening()
+{
+  this->Cancel();
+  if (this->Thread.joinable())
+  {
+    this->Thread.join();
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneOpening::Start(const OpenRequest& request)
+{
+  this->Cancel();
+  if (this->Thread.joinable())
+  {
+    this->Thread.join();
+  }
+  this->Current = std::make_shared<Task>();
+  this->Current->Request = request;
+  this->Thread = std::thread(&SceneOpening::Read, this, this->Current);
+}
+
+//------------------------------------------------------------------------------
+void SceneOpening::Cancel()
+{
+  if (!this->Current)
+  {
+    return;
+  }
+  this->Current->Canceled = true;
+  this->Current.reset();
+  emit canceled();
+}
+
+//------------------------------------------------------------------------------
+void SceneOpening::Read(const std::shared_ptr<Task>& task)
+{
+  const auto progress = [this, &task](double part)
+  {
+    QMetaObject::invokeMethod(
+      this, [this, task, part] { this->Tell(task, part); }, Qt::QueuedConnection);
+    return !task->Canceled;
+  };
+  std::shared_ptr<OpenedScene> scene;
+  QString reason;
+  try
+  {
+    scene =
+      std::make_shared<OpenedScene>(ReadScene(task->Request, { this->DicomParser, progress }));
+  }
+  catch (const std::bad_alloc&)
+  {
+    reason = tr("There is not enough memory for it.");
+  }
+  catch (const std::exception& error)
+  {
+    reason = QString::fromUtf8(error.what());
+  }
+  QMetaObject::invokeMethod(
+    this, [=] { this->Finish(task, scene, reason); }, Qt::QueuedConnection);
+}
+
+//------------------------------------------------------------------------------
+void SceneOpening::Tell(const std::shared_ptr<Task>& task, double part)
+{
+  if (task == this->Current)
+  {
+    emit progressed(part);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneOpening::Finish(const std::shared_ptr<Task>& task,
+  const std::shared_ptr<OpenedScene>& scene, const QString& reason)
+{
+  if (task != this->Current)
+  {
+    return; // canceled
+  }
+  this->Current.reset();
+  if (scene)
+  {
+    emit opened(scene);
+  }
+  else
+  {
+    emit failed(QString::fromStdString(task->Request.File.u8string()), reason);
+  }
+}
+
+}

@@ -1,0 +1,59 @@
+#include "Theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace penumbra
+{
+namespace
+{
+constexpr QRgb Accent = 0x3d8bd4;
+
+QPalette MakePalette(QRgb window, QRgb base, QRgb button, QRgb text, QRgb faint, QRgb tip)
+{
+  QPalette palette;
+  palette.setColor(QPalette::Window, QColor(window));
+  palette.setColor(QPalette::Base, QColor(base));
+  palette.setColor(QPalette::AlternateBase, QColor(window));
+  palette.setColor(QPalette::Button, QColor(button));
+  palette.setColor(QPalette::ToolTipBase, QColor(tip));
+  palette.setColor(QPalette::Highlight, QColor(Accent));
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::Link, QColor(Accent));
+  for (const auto role : { QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
+         QPalette::ToolTipText, QPalette::BrightText })
+  {
+    palette.setColor(role, QColor(text));
+    palette.setColor(QPalette::Disabled, role, QColor(faint));
+  }
+  palette.setColor(QPalette::PlaceholderText, QColor(faint));
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(faint));
+  return palette;
+}
+
+QPalette PaletteOf(bool dark)
+{
+  return dark ? MakePalette(0x25282d, 0x1b1d21, 0x33373d, 0xe4e6e9, 0x7c828a, 0x3a3f46)
+              : MakePalette(0xf1f2f4, 0xffffff, 0xf7f8f9, 0x202327, 0x9a9fa6, 0xffffe8);
+}
+
+// Before any theme was applied, the palette is the system's.
+bool IsSystemDark()
+{
+  static const bool dark = QApplication::palette().color(QPalette::Window).lightness() <
+    QApplication::palette().color(QPalette::WindowText).lightness();
+  return dark;
+}
+}
+
+//------------------------------------------------------------------------------
+void ApplyTheme(Theme theme)
+{
+  const bool systemDark = IsSystemDark();
+  const bool dark = theme == Theme::Dark || (theme == Theme::System && systemDark);
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setPalette(PaletteOf(dark));
+}
+
+}

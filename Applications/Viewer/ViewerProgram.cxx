@@ -1,0 +1,130 @@
+#include "ViewerProgram.h"
+
+#include "InputError.h"
+#include "MainWindow.h"
+#include "OutputFile.h"
+#include "RenderingError.h"
+#include "SceneDocument.h"
+#include "SceneOpening.h"
+#include "Theme.h"
+#include "ViewerCommand.h"
+#include "VolumeView.h"
+#include "vtkMessageCollector.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QPixmap>
+#include <QSurfaceFormat>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace penumbra
+{
+namespace
+{
+void TellQtMessage(QtMsgType type, const QMessageLogContext&, const QString& message)
+{
+  if (type == QtFatalMsg)
+  {
+    std::cerr << "penumbra-viewer: " << message.simplified().toStdString() << std::endl;
+    std::_Exit(1);
+  }
+}
+
+std::string EncodePng(const QPixmap& picture)
+{
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  picture.save(&buffer, "PNG");
+  return bytes.toStdString();
+}
+
+// The window shows the scene, is saved and closed.
+class Screenshot
+{
+public:
+  Screenshot(MainWindow& window, const std::filesystem::path& file)
+    : Output("--screenshot", file)
+  {
+    QObject::connect(window.GetOpening(), &SceneOpening::failed,
+      [this](const QString&, const QString& reason)
+      {
+        this->Reason = reason.toStdString();
+        QCoreApplication::quit();
+      });
+    QObject::connect(
+      window.GetView(), &VolumeView::refined, &window,
+      [this, &window]
+      {
+        this->Output.Write(EncodePng(window.grab()));
+        this->Done = true;
+        QCoreApplication::quit();
+      },
+      Qt::QueuedConnection);
+  }
+
+  void Finish(const vtkMessageCollector* messages)
+  {
+    if (!this->Reason.empty())
+    {
+      throw InputError(this->Reason);
+    }
+    if (!messages->GetErrors().empty())
+    {
+      throw RenderingError(messages->GetErrors().front());
+    }
+    if (!this->Done)
+    {
+      throw RenderingError("the window was closed before its picture was complete");
+    }
+    this->Output.Commit();
+  }
+
+private:
+  OutputFile Output;
+  std::string Reason;
+  bool Done = false;
+};
+}
+
+//------------------------------------------------------------------------------
+void PrepareQt()
+{
+  qInstallMessageHandler(TellQtMessage);
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  QCoreApplication::setOrganizationName("Penumbra");
+  QCoreApplication::setApplicationName("penumbra-viewer");
+  QCoreApplication::setApplicationVersion(PENUMBRA_VERSION);
+  QGuiApplication::setApplicationDisplayName("Penumbra");
+}
+
+//------------------------------------------------------------------------------
+void RunViewer(const ViewerCommand& command, int argc, char* argv[], vtkMessageCollector* messages)
+{
+  PrepareQt();
+  QApplication application(argc, argv);
+  ApplyTheme();
+  MainWindow window(command.DicomParser);
+  window.resize(command.Size[0], command.Size[1]);
+  std::optional<Screenshot> screenshot;
+  if (command.Screenshot)
+  {
+    screenshot.emplace(window, *command.Screenshot);
+  }
+  window.show();
+  if (command.Input)
+  {
+    window.Open(*command.Input);
+  }
+  QApplication::exec();
+  if (screenshot)
+  {
+    screenshot->Finish(messages);
+  }
+}
+
+}

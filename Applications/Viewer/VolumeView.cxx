@@ -1,0 +1,242 @@
+#include "VolumeView.h"
+
+#include "Picture.h"
+#include "SceneCamera.h"
+#include "SceneDocument.h"
+#include "SceneRendering.h"
+
+#include <QApplication>
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkIlluminatedVolumeMapper.h>
+#include <vtkImageData.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+#include <vtkVolume.h>
+
+#include <chrono>
+
+namespace penumbra
+{
+namespace
+{
+// Frames a second while something moves.
+constexpr double FluidRate = 10.0;
+// Of a volume that was not drawn yet, whose first picture is to be there soon.
+constexpr double AssumedSecondsOfFrame = 2.0;
+// Nothing moves when it has not for so long.
+constexpr int StillMilliseconds = 250;
+}
+
+//------------------------------------------------------------------------------
+VolumeView::VolumeView(SceneDocument* document, QWidget* parent)
+  : QVTKOpenGLNativeWidget(parent)
+  , Document(document)
+{
+  this->setObjectName("volumeView");
+  this->setAccessibleName(tr("3D view"));
+  this->setAccessibleDescription(tr("The volume with its lights and shadows"));
+  this->setFocusPolicy(Qt::StrongFocus);
+  this->setMinimumSize(160, 120);
+  this->Window->SetMultiSamples(0);
+  this->setRenderWindow(this->Window);
+
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  this->interactor()->SetInteractorStyle(style);
+  this->interactor()->SetDesiredUpdateRate(FluidRate);
+  // The interactor asks for frames; when and how they are drawn is decided here.
+  this->interactor()->EnableRenderOff();
+  this->interactor()->AddObserver(vtkCommand::RenderEvent, this, &VolumeView::ScheduleFrame);
+
+  this->FrameTimer.setSingleShot(true);
+  this->RefineTimer.setSingleShot(true);
+  this->RefineTimer.setInterval(StillMilliseconds);
+  this->connect(&this->FrameTimer, &QTimer::timeout, this, &VolumeView::DrawMoving);
+  this->connect(&this->RefineTimer, &QTimer::timeout, this, &VolumeView::Refine);
+  this->connect(document, &SceneDocument::opened, this, &VolumeView::ShowOpened);
+  this->connect(document, &SceneDocument::changed, this, &VolumeView::ShowChanged);
+}
+
+//------------------------------------------------------------------------------
+VolumeView::~VolumeView()
+{
+  this->makeCurrent();
+  this->Window->GetRenderers()->RemoveAllItems();
+  this->Rendering.reset();
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::ShowOpened()
+{
+  if (this->Rendering)
+  {
+    this->makeCurrent();
+    this->Window->RemoveRenderer(this->Rendering->GetRenderer());
+  }
+  const SceneDescription& scene = this->Document->GetScene();
+  this->Rendering = std::make_unique<SceneRendering>(scene, this->Document->GetVoxels());
+  this->Renderer = scene.Renderer;
+  this->Window->AddRenderer(this->Rendering->GetRenderer());
+  this->Quality.NoteFrame(AssumedSecondsOfFrame, 1);
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::ShowChanged()
+{
+  const SceneDescription& scene = this->Document->GetScene();
+  if (scene.Renderer != this->Renderer)
+  {
+    const CameraDescription camera = this->GetCamera();
+    this->ShowOpened();
+    ApplyCamera(camera, this->Rendering->GetRenderer()->GetActiveCamera());
+  }
+  else
+  {
+    this->Rendering->Update(scene, this->Document->GetVoxels().Environment);
+  }
+  this->ScheduleFrame();
+}
+
+//------------------------------------------------------------------------------
+CameraDescription VolumeView::GetCamera() const
+{
+  vtkCamera* camera = this->Rendering->GetRenderer()->GetActiveCamera();
+  CameraDescription description;
+  camera->GetPosition(description.Position.emplace().data());
+  camera->GetFocalPoint(description.FocalPoint.emplace().data());
+  camera->GetViewUp(description.ViewUp.emplace().data());
+  description.ViewAngle = camera->GetViewAngle();
+  if (camera->GetParallelProjection())
+  {
+    description.ParallelScale = camera->GetParallelScale();
+  }
+  return description;
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::SetCamera(const CameraDescription& camera)
+{
+  ApplyCamera(camera, this->Rendering->GetRenderer()->GetActiveCamera());
+  this->ScheduleFrame();
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 2> VolumeView::GetPictureSize() const
+{
+  const double ratio = this->devicePixelRatioF();
+  return { qRound(this->width() * ratio), qRound(this->height() * ratio) };
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::ScheduleFrame()
+{
+  this->Refined = false;
+  if (this->Rendering && !this->FrameTimer.isActive())
+  {
+    this->FrameTimer.start();
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::paintGL()
+{
+  // Where the size has changed, Qt's widget draws itself by its interactor.
+  this->SetRayDistance(this->FindMovingDistance());
+  this->interactor()->EnableRenderOn();
+  QVTKOpenGLNativeWidget::paintGL();
+  this->interactor()->EnableRenderOff();
+}
+
+//------------------------------------------------------------------------------
+int VolumeView::FindMovingDistance()
+{
+  return this->Quality.FindDistance(this->interactor()->GetDesiredUpdateRate());
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::SetRayDistance(int distance)
+{
+  if (this->Rendering)
+  {
+    vtkGPUVolumeRayCastMapper::SafeDownCast(this->Rendering->GetVolume()->GetMapper())
+      ->SetImageSampleDistance(static_cast<float>(distance));
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::DrawMoving()
+{
+  const int distance = this->FindMovingDistance();
+  this->Draw(distance);
+  emit this->cameraMoved();
+  if (distance > 1)
+  {
+    this->RefineTimer.start();
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::Refine()
+{
+  if (QApplication::mouseButtons() != Qt::NoButton)
+  {
+    this->RefineTimer.start(); // what is held still may yet move
+    return;
+  }
+  this->Draw(1);
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::Draw(int distance)
+{
+  if (!this->Rendering || !this->isValid())
+  {
+    return;
+  }
+  this->SetRayDistance(distance);
+  const auto before = std::chrono::steady_clock::now();
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
+  this->Quality.NoteFrame(passed.count(), distance);
+  this->Refined = distance == 1;
+  if (this->Refined)
+  {
+    this->RefineTimer.stop();
+    this->TellWarnings();
+    emit this->refined(passed.count());
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> VolumeView::TakePicture()
+{
+  this->FrameTimer.stop();
+  this->Draw(1);
+  return ReadPicture(this->Window);
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::TellWarnings()
+{
+  QStringList messages;
+  for (const std::string& warning : this->Rendering->GetWarnings())
+  {
+    messages << QString::fromStdString(warning);
+  }
+  if (vtkIlluminatedVolumeMapper* mapper = this->Rendering->GetIlluminatedMapper())
+  {
+    for (const std::string& message : mapper->GetMessages())
+    {
+      messages << QString::fromStdString(message);
+    }
+  }
+  emit this->warned(messages);
+}
+
+}

@@ -1,0 +1,92 @@
+/**
+ * @class   VolumeView
+ * @brief   the 3D view of the document's scene
+ *
+ * Left button turns, middle button moves, right button and wheel zoom. Moving is fluid and coarse;
+ * the whole picture follows when all is still.
+ */
+
+#ifndef VolumeView_h
+#define VolumeView_h
+
+#include "SceneDescription.h"
+#include "ViewQuality.h"
+
+#include <QTimer>
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+
+class vtkGenericOpenGLRenderWindow;
+class vtkImageData;
+
+namespace penumbra
+{
+
+class SceneDocument;
+class SceneRendering;
+
+class VolumeView : public QVTKOpenGLNativeWidget
+{
+  Q_OBJECT
+public:
+  explicit VolumeView(SceneDocument* document, QWidget* parent = nullptr);
+  ~VolumeView() override;
+
+  /// Null where no scene is open.
+  SceneRendering* GetRendering() { return this->Rendering.get(); }
+
+  /// Where the user has moved the camera.
+  CameraDescription GetCamera() const;
+  void SetCamera(const CameraDescription& camera);
+
+  /// Of the picture, in its own pixels, which are smaller than the widget's on fine screens.
+  std::array<int, 2> GetPictureSize() const;
+
+  /// The whole picture, drawn at once.
+  vtkSmartPointer<vtkImageData> TakePicture();
+
+  /// Whether what is seen is the whole picture of the scene as it is now.
+  bool IsRefined() const { return this->Refined; }
+
+  const ViewQuality& GetQuality() const { return this->Quality; }
+
+  /// Draws soon: coarsely, if whole frames are slow, and when nothing moves any more as a whole.
+  void ScheduleFrame();
+
+signals:
+  /// The whole picture is seen; it took so long.
+  void refined(double seconds);
+  void cameraMoved();
+  /// What the renderer cannot do of the scene, or had to do otherwise.
+  void warned(const QStringList& messages);
+
+protected:
+  void paintGL() override;
+
+private:
+  void ShowOpened();
+  void ShowChanged();
+  void DrawMoving();
+  void Refine();
+  void Draw(int distance);
+  int FindMovingDistance();
+  void SetRayDistance(int distance);
+  void TellWarnings();
+
+  SceneDocument* Document;
+  vtkNew<vtkGenericOpenGLRenderWindow> Window;
+  std::unique_ptr<SceneRendering> Rendering;
+  RendererChoice Renderer = RendererChoice::Penumbra;
+  ViewQuality Quality;
+  QTimer FrameTimer;
+  QTimer RefineTimer;
+  bool Refined = false;
+};
+
+}
+
+#endif

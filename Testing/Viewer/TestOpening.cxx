@@ -1,0 +1,54 @@
+#include "Catch.h"
+#include "ImageComparison.h"
+#include "ViewerSession.h"
+
+#include <vtkImageData.h>
+
+using namespace penumbra;
+
+TEST_CASE("The view shows what penumbra-render renders of the saved scene")
+{
+  ViewerSession session;
+  REQUIRE(session.Open(session.Files.File));
+  const auto picture = session.TakePicture();
+  const std::string saved = session.Files.PathOf("saved.json");
+  session.Window.Save(saved);
+  // Both are the same program on the same data; the rest is how 8-bit colours are rounded.
+  CHECK(CompareImages(picture, RenderScene(saved, session.Files)).rmse < 0.5);
+}
+
+TEST_CASE("A bad file says what is wrong and leaves what was open")
+{
+  ViewerSession session;
+  REQUIRE(session.Open(session.Files.File));
+  const auto before = session.TakePicture();
+  CHECK_FALSE(session.Open(session.Files.Write("bad.mhd", "NDims = three")));
+  CHECK_THAT(session.GetReason(), Catch::Matchers::ContainsSubstring("bad.mhd"));
+  CHECK(session.Document.GetOpenedFile() == session.Files.File);
+  CHECK(CompareImages(before, session.TakePicture()).largest == 0.0);
+}
+
+TEST_CASE("Canceling leaves what was open")
+{
+  ViewerSession session;
+  REQUIRE(session.Open(session.Files.File));
+  bool canceled = false;
+  QObject::connect(session.Window.GetOpening(), &SceneOpening::canceled, &session.Window,
+    [&canceled] { canceled = true; });
+  session.Window.Open(session.Files.PathOf("shells.mhd"));
+  CHECK(session.Window.GetOpening()->IsReading());
+  session.Window.GetOpening()->Cancel();
+  CHECK(canceled);
+  CHECK_FALSE(session.Window.GetOpening()->IsReading());
+  // What was read nevertheless is not shown.
+  CHECK_FALSE(WaitFor([&] { return session.Document.GetOpenedFile() != session.Files.File; }, 1.0));
+}
+
+TEST_CASE("A volume without a scene is lit and shadowed from the start")
+{
+  ViewerSession session;
+  REQUIRE(session.Open(session.Files.PathOf("shells.mhd")));
+  const auto& lights = session.Document.GetScene().Lights;
+  CHECK(std::any_of(lights.begin(), lights.end(),
+    [](const LightDescription& light) { return light.On && light.Shadow != ShadowKind::None; }));
+}

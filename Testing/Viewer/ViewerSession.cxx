@@ -1,0 +1,91 @@
+#include "ViewerSession.h"
+
+#include "Catch.h"
+#include "ImageComparison.h"
+#include "RunProgram.h"
+#include "SyntheticVolumes.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+
+#include <vtkImageData.h>
+#include <vtkImageExtractComponents.h>
+#include <vtkMetaImageWriter.h>
+#include <vtkNew.h>
+
+namespace penumbra
+{
+
+//------------------------------------------------------------------------------
+bool WaitFor(const std::function<bool()>& condition, double seconds)
+{
+  QElapsedTimer timer;
+  timer.start();
+  while (!condition() && timer.elapsed() < 1000.0 * seconds)
+  {
+    QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+  }
+  return condition();
+}
+
+//------------------------------------------------------------------------------
+ShellsScene::ShellsScene()
+{
+  vtkNew<vtkMetaImageWriter> writer;
+  writer->SetInputData(MakeShells({}, 12.0));
+  writer->SetFileName(this->PathOf("shells.mhd").c_str());
+  writer->SetRAWFileName(this->PathOf("shells.zraw").c_str());
+  writer->Write();
+  this->File = this->Write("scene.json", R"({
+    "volume": { "file": "shells.mhd" },
+    "transferFunction": { "opacity": [[120,0],[200,0.5]],
+                          "color": [[120,0.9,0.5,0.3],[255,1,0.9,0.8]] },
+    "lights": [{ "name": "key", "type": "directional", "direction": [1,0.6,-1], "shadow": "soft" }],
+    "image": { "size": [300,240], "background": [0,0,0] } })");
+}
+
+//------------------------------------------------------------------------------
+ViewerSession::ViewerSession()
+  : Window(PENUMBRA_DICOM_PARSER)
+  , Document(*this->Window.GetDocument())
+{
+  this->Window.resize(900, 640);
+  this->Window.show();
+  QObject::connect(this->Window.GetOpening(), &SceneOpening::failed, &this->Window,
+    [this](const QString&, const QString& reason) { this->Reason = reason.toStdString(); });
+}
+
+//------------------------------------------------------------------------------
+bool ViewerSession::Open(const std::string& file)
+{
+  this->Reason.clear();
+  bool opened = false;
+  const auto connection = QObject::connect(
+    &this->Document, &SceneDocument::opened, &this->Window, [&opened] { opened = true; });
+  this->Window.Open(file);
+  WaitFor([&] { return opened || !this->Reason.empty(); });
+  QObject::disconnect(connection);
+  return opened && WaitFor([this] { return this->Window.GetView()->IsRefined(); });
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ViewerSession::TakePicture()
+{
+  vtkNew<vtkImageExtractComponents> colors;
+  colors->SetInputData(this->Window.GetView()->TakePicture());
+  colors->SetComponents(0, 1, 2);
+  colors->Update();
+  return colors->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> RenderScene(const std::string& file, const TemporaryFolder& folder)
+{
+  const std::string picture = folder.PathOf("rendered.png");
+  const ProgramResult result = RunPenumbraRender({ file, "--output", picture });
+  INFO(result.error);
+  REQUIRE(result.exitStatus == 0);
+  return ReadPNG(picture);
+}
+
+}

@@ -1,0 +1,59 @@
+/**
+ * @file    ViewerSession.h
+ * @brief   the viewer's main window with a small scene, for tests
+ */
+
+#ifndef ViewerSession_h
+#define ViewerSession_h
+
+#include "MainWindow.h"
+#include "SceneDocument.h"
+#include "SceneOpening.h"
+#include "TemporaryFolder.h"
+#include "VolumeView.h"
+
+#include <functional>
+#include <string>
+
+namespace penumbra
+{
+
+/// Lets the window live until the condition holds; at most so many seconds. Returns whether it
+/// does.
+bool WaitFor(const std::function<bool()>& condition, double seconds = 60.0);
+
+/// A folder with a scene of shells around a ball, 32 voxels wide, under one shadowing light.
+class ShellsScene : public TemporaryFolder
+{
+public:
+  ShellsScene();
+
+  std::string File;
+};
+
+class ViewerSession
+{
+public:
+  ViewerSession();
+
+  /// Reads and shows a file. Returns whether it is shown; else GetReason() says why not.
+  bool Open(const std::string& file);
+  const std::string& GetReason() const { return this->Reason; }
+
+  /// The whole picture of the scene as it is now.
+  vtkSmartPointer<vtkImageData> TakePicture();
+
+  ShellsScene Files;
+  MainWindow Window;
+  SceneDocument& Document;
+
+private:
+  std::string Reason;
+};
+
+/// What penumbra-render makes of a scene file.
+vtkSmartPointer<vtkImageData> RenderScene(const std::string& file, const TemporaryFolder& folder);
+
+}
+
+#endif
