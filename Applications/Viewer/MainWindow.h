@@ -14,10 +14,19 @@
 namespace penumbra
 {
 
+class FileActions;
+class InformationPanel;
+class LightPanel;
+class MessageBar;
+class ReadingProgress;
+class RecentFiles;
 class SceneDocument;
 class SceneOpening;
+class StartPage;
 class VolumeView;
+struct OpenRequest;
 struct OpenedScene;
+enum class PipelinePart;
 
 class MainWindow : public QMainWindow
 {
@@ -29,20 +38,58 @@ public:
 
   /// Begins to read a scene, a volume or a folder.
   void Open(const std::filesystem::path& file);
+  /// The same at a user's wish, who is asked about unsaved changes first.
+  void OpenAsked(const QString& file);
 
   /// Writes the scene as it is seen. @throw InputError or RenderingError where that fails.
   void Save(const std::filesystem::path& file);
 
+  void ShowError(const QString& text);
+
+  /// Places and sizes of the window and its panels, from one start to the next.
+  ///@{
+  void RestoreLayout();
+  void RememberLayout() const;
+  ///@}
+
   SceneDocument* GetDocument() { return this->Document; }
   SceneOpening* GetOpening() { return this->Opening; }
   VolumeView* GetView() { return this->View; }
+  LightPanel* GetLightPanel() { return this->Lights; }
+  MessageBar* GetMessageBar() { return this->Messages; }
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
 private:
+  void MakeMiddle();
+  void MakePanels();
+  void MakeMenus();
+  void MakeEditMenu(QMenu* menu, QToolBar* bar);
+  QDockWidget* AddPanel(
+    const QString& title, const QString& name, Qt::DockWidgetArea area, QWidget* content);
+  void Connect();
+  void Start(const OpenRequest& request);
   void ShowOpened(const std::shared_ptr<const OpenedScene>& scene);
+  void ShowPart(PipelinePart part);
+  void ShowTitle();
 
   SceneDocument* Document;
   SceneOpening* Opening;
   VolumeView* View;
+  RecentFiles* Recent;
+  FileActions* Files;
+  StartPage* Page = nullptr;
+  MessageBar* Messages = nullptr;
+  ReadingProgress* Progress = nullptr;
+  InformationPanel* Information = nullptr;
+  LightPanel* Lights = nullptr;
+  QDockWidget* InformationDock = nullptr;
+  QDockWidget* LightDock = nullptr;
+  QDockWidget* AppearanceDock = nullptr;
+  QDockWidget* RenderingDock = nullptr;
 };
 
 }

@@ -43,6 +43,7 @@ void SceneDocument::Open(const OpenedScene& opened)
   }
   this->Voxels = opened.Voxels;
   this->Scene = std::make_shared<const SceneDescription>(opened.Scene);
+  this->SceneAsOpened = this->Scene;
   this->SelectedLight = this->Scene->Lights.empty() ? -1 : 0;
   emit this->opened();
   emit this->changed();
@@ -73,7 +74,9 @@ QString SceneDocument::Edit(
   catch (const InputError& error)
   {
     emit this->changed(); // so that what was entered is shown no longer
-    return QString::fromUtf8(error.what());
+    const QString reason = QString::fromUtf8(error.what());
+    emit this->refused(reason);
+    return reason;
   }
   this->History.push(new SceneEdit(
     text, gesture, this->Scene, edited, [this](const SharedScene& scene) { this->Show(scene); }));

@@ -34,6 +34,8 @@ public:
   ///@{
   const SceneDescription& GetScene() const { return *this->Scene; }
   const SceneVoxels& GetVoxels() const { return this->Voxels; }
+  /// As it was when it was opened.
+  const SceneDescription& GetOpenedScene() const { return *this->SceneAsOpened; }
   ///@}
 
   /// What was opened, and where it was saved or loaded as a scene, if so.
@@ -77,6 +79,8 @@ signals:
   /// The description changed; also after opened().
   void changed();
   void lightSelected(int light);
+  /// An edit would have made a scene that is not valid.
+  void refused(const QString& reason);
   /// The file that the scene is saved as changed.
   void fileChanged();
 
@@ -87,6 +91,7 @@ private:
   const EnvironmentImages& FindEnvironment(const MaterialDescription& material);
 
   SharedScene Scene;
+  SharedScene SceneAsOpened;
   SceneVoxels Voxels;
   std::map<std::vector<std::filesystem::path>, EnvironmentImages> Environments;
   std::filesystem::path OpenedFile;

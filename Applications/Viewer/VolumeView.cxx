@@ -126,6 +126,17 @@ void VolumeView::SetCamera(const CameraDescription& camera)
 }
 
 //------------------------------------------------------------------------------
+ViewFrame VolumeView::GetFrame() const
+{
+  vtkCamera* camera = this->Rendering->GetRenderer()->GetActiveCamera();
+  const CameraAxes axes(camera);
+  ViewFrame frame{ {}, {}, axes.Right, axes.Up, axes.Backward };
+  camera->GetPosition(frame.Position.data());
+  camera->GetFocalPoint(frame.FocalPoint.data());
+  return frame;
+}
+
+//------------------------------------------------------------------------------
 std::array<int, 2> VolumeView::GetPictureSize() const
 {
   const double ratio = this->devicePixelRatioF();

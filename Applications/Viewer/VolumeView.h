@@ -9,6 +9,7 @@
 #ifndef VolumeView_h
 #define VolumeView_h
 
+#include "LightEdits.h"
 #include "SceneDescription.h"
 #include "ViewQuality.h"
 
@@ -42,6 +43,9 @@ public:
   /// Where the user has moved the camera.
   CameraDescription GetCamera() const;
   void SetCamera(const CameraDescription& camera);
+
+  /// Where the camera is, and its axes. Only where a scene is open.
+  ViewFrame GetFrame() const;
 
   /// Of the picture, in its own pixels, which are smaller than the widget's on fine screens.
   std::array<int, 2> GetPictureSize() const;

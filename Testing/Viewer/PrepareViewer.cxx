@@ -2,6 +2,8 @@
 #include "ViewerProgram.h"
 
 #include <QApplication>
+#include <QDir>
+#include <QSettings>
 #include <QStandardPaths>
 
 #include <cstdio>
@@ -30,6 +32,8 @@ void penumbra::PrepareTests()
   qputenv("QT_QPA_PLATFORM", "xcb");
   qputenv("LC_ALL", "C.UTF-8");
   QStandardPaths::setTestModeEnabled(true);
+  QSettings::setPath(
+    QSettings::NativeFormat, QSettings::UserScope, QDir::tempPath() + "/penumbra-viewer-tests");
   penumbra::PrepareQt();
   static int argc = 1;
   static char name[] = "ViewerTests";

@@ -1,0 +1,99 @@
+#include "InformationPanel.h"
+
+#include "ScalarTypes.h"
+#include "SceneDocument.h"
+#include "VolumeFields.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include <vtkImageData.h>
+
+namespace penumbra
+{
+namespace
+{
+QLabel* MakeLabel(QWidget* parent)
+{
+  auto* const label = new QLabel(parent);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  return label;
+}
+
+QString Number(double number)
+{
+  return QString::number(number, 'g', 6);
+}
+
+QString RowOf(const QString& name, const QString& value)
+{
+  return QString("<tr><td style='padding-right:10px; color:gray'>%1</td><td>%2</td></tr>")
+    .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+}
+
+QString FactsOf(vtkImageData* image, const SceneDescription& scene)
+{
+  const int* dimensions = image->GetDimensions();
+  const double* spacing = image->GetSpacing();
+  const double* range = image->GetScalarRange();
+  const QString units = QString::fromStdString(TextField(image, "Units"));
+  const QString modality = QString::fromStdString(TextField(image, "Modality"));
+  const double mebibytes = image->GetActualMemorySize() / 1024.0;
+  const QString times = QString(QChar(0xd7));
+  QString rows =
+    RowOf(QObject::tr("File"), QString::fromStdString(scene.Volume.File.filename().u8string()));
+  if (!modality.isEmpty())
+  {
+    rows += RowOf(QObject::tr("Modality"), modality);
+  }
+  rows += RowOf(QObject::tr("Voxels"),
+    QString("%1 %4 %2 %4 %3").arg(dimensions[0]).arg(dimensions[1]).arg(dimensions[2]).arg(times));
+  rows += RowOf(QObject::tr("Spacing"),
+    QString("%1 %4 %2 %4 %3")
+      .arg(Number(spacing[0]), Number(spacing[1]), Number(spacing[2]), times));
+  rows += RowOf(QObject::tr("Size"),
+    QString("%1 %4 %2 %4 %3")
+      .arg(Number(spacing[0] * dimensions[0]), Number(spacing[1] * dimensions[1]),
+        Number(spacing[2] * dimensions[2]), times));
+  rows += RowOf(QObject::tr("Values"),
+    QObject::tr("%1 to %2 %3").arg(Number(range[0]), Number(range[1]), units).trimmed());
+  rows += RowOf(QObject::tr("Type"), ScalarTypeName(image->GetScalarType()));
+  rows +=
+    RowOf(QObject::tr("Memory"), QObject::tr("%1 MiB").arg(QString::number(mebibytes, 'f', 1)));
+  return "<table>" + rows + "</table>";
+}
+}
+
+//------------------------------------------------------------------------------
+InformationPanel::InformationPanel(SceneDocument* document, QWidget* parent)
+  : QWidget(parent)
+  , Document(document)
+  , Facts(MakeLabel(this))
+  , Notes(MakeLabel(this))
+{
+  this->Facts->setAccessibleName(tr("Facts about the volume"));
+  this->Notes->setAccessibleName(tr("Notes on the volume"));
+  auto* const layout = new QVBoxLayout(this);
+  layout->addWidget(this->Facts);
+  layout->addWidget(this->Notes);
+  layout->addStretch();
+  this->connect(document, &SceneDocument::opened, this, &InformationPanel::Refresh);
+}
+
+//------------------------------------------------------------------------------
+void InformationPanel::ShowNotes(const QStringList& notes)
+{
+  this->Notes->setTextFormat(Qt::PlainText);
+  this->Notes->setText(notes.join("\n\n"));
+}
+
+//------------------------------------------------------------------------------
+void InformationPanel::Refresh()
+{
+  this->Facts->setText(FactsOf(this->Document->GetVoxels().Volume, this->Document->GetScene()));
+}
+
+}

@@ -1,0 +1,20 @@
+/**
+ * @file    RenderingForm.h
+ * @brief   the controls of how the picture is made: steps, matter, clipping, background
+ */
+
+#ifndef RenderingForm_h
+#define RenderingForm_h
+
+namespace penumbra
+{
+
+class PropertyForm;
+class SceneDocument;
+
+void FillMaterialForm(PropertyForm* form, SceneDocument* document);
+void FillRenderingForm(PropertyForm* form, SceneDocument* document);
+
+}
+
+#endif
