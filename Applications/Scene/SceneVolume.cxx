@@ -47,35 +47,29 @@ void TellReplacements(const SceneDescription& scene, std::vector<std::string>& w
   }
 }
 
-vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(RendererChoice renderer)
+vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(const SceneDescription& scene)
 {
-  if (renderer == RendererChoice::StockMapper)
+  if (scene.Renderer != RendererChoice::StockMapper)
   {
-    return vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
+    auto mapper = vtkSmartPointer<vtkIlluminatedVolumeMapper>::New();
+    mapper->SetShadowTechniqueToRays();
+    mapper->SetShadowSampleDistance(*scene.Shadows.SampleDistance);
+    mapper->SetGradientEstimator(static_cast<int>(scene.Gradient));
+    mapper->SetGradientTextureBits(scene.GradientTexture);
+    mapper->SetOpticalModel(OpticalModelOf(scene.Optics));
+    return mapper;
   }
-  return vtkSmartPointer<vtkIlluminatedVolumeMapper>::New();
+  return vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
 }
 
-void ApplyIllumination(const SceneDescription& scene, vtkIlluminatedVolumeMapper* mapper)
+void SetCropping(vtkVolumeMapper* mapper, const std::array<double, 6>& cropping)
 {
-  mapper->SetShadowTechniqueToRays();
-  mapper->SetShadowSampleDistance(*scene.Shadows.SampleDistance);
-  mapper->SetGradientEstimator(static_cast<int>(scene.Gradient));
-  mapper->SetGradientTextureBits(scene.GradientTexture);
-  mapper->SetOpticalModel(OpticalModelOf(scene.Optics));
+  mapper->CroppingOn();
+  mapper->SetCroppingRegionFlagsToSubVolume();
+  mapper->SetCroppingRegionPlanes(cropping.data());
 }
 
-void SetCropping(vtkVolumeMapper* mapper, const std::optional<std::array<double, 6>>& cropping)
-{
-  mapper->SetCropping(cropping.has_value());
-  if (cropping)
-  {
-    mapper->SetCroppingRegionFlagsToSubVolume();
-    mapper->SetCroppingRegionPlanes(cropping->data());
-  }
-}
-
-void SetClippingPlanes(
+void AddClippingPlanes(
   const SceneDescription& scene, vtkVolumeMapper* mapper, std::vector<std::string>& warnings)
 {
   std::size_t count = scene.ClippingPlanes.size();
@@ -86,7 +80,6 @@ void SetClippingPlanes(
       " clipping planes; the other " + std::to_string(scene.ClippingPlanes.size() - count) +
       " are left out");
   }
-  mapper->RemoveAllClippingPlanes();
   for (std::size_t i = 0; i < count; ++i)
   {
     vtkNew<vtkPlane> plane;
@@ -101,34 +94,26 @@ void SetClippingPlanes(
 vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeMapper(
   const SceneDescription& scene, const SceneVoxels& voxels, std::vector<std::string>& warnings)
 {
-  auto mapper = MakeEmptyMapper(scene.Renderer);
+  auto mapper = MakeEmptyMapper(scene);
   mapper->SetInputData(voxels.Volume);
   mapper->AutoAdjustSampleDistancesOff();
   mapper->UseJitteringOff();
+  mapper->SetSampleDistance(static_cast<float>(*scene.SampleDistance));
+  if (scene.Volume.Cropping)
+  {
+    SetCropping(mapper, *scene.Volume.Cropping);
+  }
   if (voxels.Mask)
   {
     mapper->SetMaskInput(voxels.Mask);
     mapper->SetMaskTypeToBinary();
   }
-  ApplyToMapper(scene, mapper, warnings);
-  return mapper;
-}
-
-//------------------------------------------------------------------------------
-void ApplyToMapper(const SceneDescription& scene, vtkGPUVolumeRayCastMapper* mapper,
-  std::vector<std::string>& warnings)
-{
-  mapper->SetSampleDistance(static_cast<float>(*scene.SampleDistance));
-  SetCropping(mapper, scene.Volume.Cropping);
-  SetClippingPlanes(scene, mapper, warnings);
-  if (auto* const illuminated = vtkIlluminatedVolumeMapper::SafeDownCast(mapper))
-  {
-    ApplyIllumination(scene, illuminated);
-  }
+  AddClippingPlanes(scene, mapper, warnings);
   if (scene.Renderer == RendererChoice::StockMapper)
   {
     TellReplacements(scene, warnings);
   }
+  return mapper;
 }
 
 }
