@@ -28,7 +28,8 @@ SpeedVariant ShadowVariant(const std::string& technique, const std::string& shad
   variant.Name = technique + (shadow == "hard" ? ", hard" : "");
   variant.Request.Settings = Shadowed(shadow, technique);
   variant.Truth = SpeedRequest{ Shadowed(shadow, "rays"), 1.0, 0.5 };
-  variant.HasEdits = true;
+  // Rays keep nothing that an edit could change.
+  variant.HasEdits = technique != "rays";
   return variant;
 }
 

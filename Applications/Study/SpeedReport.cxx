@@ -127,15 +127,16 @@ std::string WriteSpeedCalibration(const SpeedStudyResult& result, const std::str
   json["measurements"] = Json::array();
   for (const SpeedRow& row : result.Rows)
   {
-    if (row.Error && row.LightEdit && row.Lights == 1)
+    if (row.Error && row.Technique != "none" && row.Lights == 1)
     {
-      json["measurements"].push_back({ { "scene", row.Scene }, { "edge", row.Edge },
-        { "voxels", row.Voxels }, { "image", row.Image }, { "variant", row.Variant },
-        { "technique", row.Technique }, { "resolution", row.Resolution },
-        { "rmse", row.Error->RootMeanSquare }, { "p999", row.Error->Percentile999 },
-        { "frame", row.Relative }, { "lightEdit", row.InStockFrames(*row.LightEdit) },
-        { "opacityEdit", row.InStockFrames(row.OpacityEdit.value_or(0.0)) },
-        { "counts", row.Counts } });
+      json["measurements"].push_back(
+        { { "scene", row.Scene }, { "edge", row.Edge }, { "voxels", row.Voxels },
+          { "image", row.Image }, { "variant", row.Variant }, { "technique", row.Technique },
+          { "resolution", row.Resolution }, { "rmse", row.Error->RootMeanSquare },
+          { "p999", row.Error->Percentile999 }, { "frame", row.Relative },
+          { "lightEdit", row.InStockFrames(row.LightEdit.value_or(row.CpuSeconds)) },
+          { "opacityEdit", row.InStockFrames(row.OpacityEdit.value_or(row.CpuSeconds)) },
+          { "counts", row.Counts } });
     }
   }
   return Print(json);

@@ -79,7 +79,7 @@ SpeedSceneList WriteSpeedScenes(const SpeedSceneSource& source)
   {
     SpeedScene scene = WriteMade(name, source.Edge, source.Folder);
     scene.HasBounds = !anyHasBounds;
-    scene.HasAxes = true;
+    scene.HasAxes = !anyHasBounds || scene.Name == "tree";
     list.Scenes.push_back(scene);
   }
   list.Scenes.push_back(WriteMade("haze", source.Edge / 2, source.Folder));

@@ -72,8 +72,10 @@ TEST_CASE("The calibration has every shadow with its error and costs, and nothin
   std::vector<SpeedRow> rows = { Row("a", "lit", 0.25), Cached("a", "volume", 0.5, 0.75),
     Cached("a", "volume", 0.5, 0.75) };
   rows[2].Lights = 4;
+  rows.push_back(Cached("a", "rays", 0.8, 0.1));
+  rows[3].LightEdit.reset();
   const auto json = nlohmann::json::parse(WriteSpeedCalibration(Result(rows), "c"));
-  REQUIRE(json["measurements"].size() == 1);
+  REQUIRE(json["measurements"].size() == 2);
   const auto& measurement = json["measurements"][0];
   CHECK(measurement["technique"] == "volume");
   CHECK(measurement["resolution"] == 1.0);
@@ -81,6 +83,7 @@ TEST_CASE("The calibration has every shadow with its error and costs, and nothin
   CHECK(measurement["frame"] == 0.5);
   CHECK(measurement["lightEdit"] == 1.0);
   CHECK(measurement["opacityEdit"] == 1.5);
+  CHECK(json["measurements"][1]["lightEdit"] == Approx(0.8));
 }
 
 TEST_CASE("Charts run along one axis each")

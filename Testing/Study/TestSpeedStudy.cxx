@@ -85,8 +85,9 @@ TEST_CASE("A shadow is held against rays with half the shadow step, and edits of
   const SpeedRow* rays = Find(result, "rays");
   REQUIRE(rays);
   CHECK(rays->Technique == "rays");
-  CHECK(*rays->LightEdit > 0.0);
-  CHECK(*rays->OpacityEdit > 0.0);
+  CHECK_FALSE(rays->LightEdit);
+  CHECK(*Find(result, "auto")->LightEdit > 0.0);
+  CHECK(*Find(result, "auto")->OpacityEdit > 0.0);
   // Shadow steps of 5 lengths where the balls' borders are 5 thick.
   CHECK(rays->Error->RootMeanSquare > 0.0);
   CHECK(rays->Error->RootMeanSquare < 4.0);
