@@ -6,11 +6,13 @@
 #include "MessageBar.h"
 #include "PipelineTree.h"
 #include "PropertyForm.h"
+#include "RawImportDialog.h"
 #include "ReadingProgress.h"
 #include "RecentFiles.h"
 #include "RenderingForm.h"
 #include "SceneDocument.h"
 #include "SceneOpening.h"
+#include "SeriesDialog.h"
 #include "StartPage.h"
 #include "ViewActions.h"
 #include "VolumeView.h"
@@ -190,6 +192,7 @@ void MainWindow::Connect()
   this->connect(this->Opening, &SceneOpening::opened, this, &MainWindow::ShowOpened);
   this->connect(this->Opening, &SceneOpening::failed, this,
     [this](const QString&, const QString& reason) { this->ShowError(reason); });
+  this->connect(this->Opening, &SceneOpening::seriesFound, this, &MainWindow::ChooseSeries);
   this->connect(this->Document, &SceneDocument::refused, this, &MainWindow::ShowError);
   this->connect(this->Document, &SceneDocument::fileChanged, this, &MainWindow::ShowTitle);
   this->connect(
@@ -202,7 +205,10 @@ void MainWindow::Connect()
 //------------------------------------------------------------------------------
 void MainWindow::Open(const std::filesystem::path& file)
 {
-  this->Start({ file, {}, this->View->GetPictureSize() });
+  OpenRequest request;
+  request.File = file;
+  request.ViewSize = this->View->GetPictureSize();
+  this->Start(request);
 }
 
 //------------------------------------------------------------------------------
@@ -216,9 +222,35 @@ void MainWindow::Start(const OpenRequest& request)
 //------------------------------------------------------------------------------
 void MainWindow::OpenAsked(const QString& file)
 {
-  if (this->Files->MayDiscardChanges())
+  if (!this->Files->MayDiscardChanges())
   {
-    this->Open(std::filesystem::u8path(file.toStdString()));
+    return;
+  }
+  OpenRequest request;
+  request.File = std::filesystem::u8path(file.toStdString());
+  request.ViewSize = this->View->GetPictureSize();
+  request.AskForSeries = QFileInfo(file).isDir();
+  if (QFileInfo(file).suffix().toLower() == "raw")
+  {
+    RawImportDialog dialog(file, this);
+    if (dialog.exec() == QDialog::Rejected)
+    {
+      return;
+    }
+    request.Settings = dialog.GetLayout().ToSettings();
+  }
+  this->Start(request);
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::ChooseSeries(OpenRequest request, const SeriesChoice& series)
+{
+  SeriesDialog dialog(series, this);
+  if (dialog.exec() == QDialog::Accepted)
+  {
+    request.AskForSeries = false;
+    request.Settings.push_back("volume.series=\"" + dialog.GetChosen().Uid + "\"");
+    this->Start(request);
   }
 }
 

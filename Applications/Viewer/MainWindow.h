@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace penumbra
 {
@@ -26,6 +27,7 @@ class StartPage;
 class VolumeView;
 struct OpenRequest;
 struct OpenedScene;
+struct SeriesFacts;
 enum class PipelinePart;
 
 class MainWindow : public QMainWindow
@@ -72,6 +74,7 @@ private:
     const QString& title, const QString& name, Qt::DockWidgetArea area, QWidget* content);
   void Connect();
   void Start(const OpenRequest& request);
+  void ChooseSeries(OpenRequest request, const std::vector<SeriesFacts>& series);
   void ShowOpened(const std::shared_ptr<const OpenedScene>& scene);
   void ShowPart(PipelinePart part);
   void ShowTitle();

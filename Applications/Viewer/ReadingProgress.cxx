@@ -39,6 +39,7 @@ ReadingProgress::ReadingProgress(SceneOpening* opening, QWidget* parent)
   this->connect(opening, &SceneOpening::opened, this, &QWidget::hide);
   this->connect(opening, &SceneOpening::failed, this, &QWidget::hide);
   this->connect(opening, &SceneOpening::canceled, this, &QWidget::hide);
+  this->connect(opening, &SceneOpening::seriesFound, this, &QWidget::hide);
   this->hide();
 }
 

@@ -60,6 +60,16 @@ void SceneOpening::Read(const std::shared_ptr<Task>& task)
       this, [this, task, part] { this->Tell(task, part); }, Qt::QueuedConnection);
     return !task->Canceled;
   };
+  if (task->Request.AskForSeries)
+  {
+    const SeriesChoice series = ListSeries(task->Request.File, this->DicomParser);
+    if (series.size() > 1)
+    {
+      QMetaObject::invokeMethod(
+        this, [=] { this->OfferSeries(task, series); }, Qt::QueuedConnection);
+      return;
+    }
+  }
   std::shared_ptr<OpenedScene> scene;
   QString reason;
   try
@@ -77,6 +87,16 @@ void SceneOpening::Read(const std::shared_ptr<Task>& task)
   }
   QMetaObject::invokeMethod(
     this, [=] { this->Finish(task, scene, reason); }, Qt::QueuedConnection);
+}
+
+//------------------------------------------------------------------------------
+void SceneOpening::OfferSeries(const std::shared_ptr<Task>& task, const SeriesChoice& series)
+{
+  if (task == this->Current)
+  {
+    this->Current.reset();
+    emit this->seriesFound(task->Request, series);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #define SceneOpening_h
 
 #include "SceneReading.h"
+#include "SeriesList.h"
 
 #include <QObject>
 #include <QString>
@@ -16,9 +17,12 @@
 #include <atomic>
 #include <memory>
 #include <thread>
+#include <vector>
 
 namespace penumbra
 {
+
+using SeriesChoice = std::vector<SeriesFacts>;
 
 class SceneOpening : public QObject
 {
@@ -42,6 +46,8 @@ signals:
   /// One line that says what is wrong.
   void failed(const QString& file, const QString& reason);
   void canceled();
+  /// The folder of the request holds several series; nothing was read.
+  void seriesFound(const penumbra::OpenRequest& request, const penumbra::SeriesChoice& series);
 
 private:
   struct Task
@@ -53,6 +59,7 @@ private:
   void Read(const std::shared_ptr<Task>& task);
   void Finish(const std::shared_ptr<Task>& task, const std::shared_ptr<OpenedScene>& scene,
     const QString& reason);
+  void OfferSeries(const std::shared_ptr<Task>& task, const SeriesChoice& series);
   void Tell(const std::shared_ptr<Task>& task, double part);
 
   std::filesystem::path DicomParser;

@@ -24,6 +24,8 @@ struct OpenRequest
   /// Keys of the scene that the file does not say itself, as penumbra-render's --set takes them:
   /// the geometry of a .raw file, the series of a DICOM folder.
   std::vector<std::string> Settings;
+  /// Whether to ask for a series where a folder holds several, of which else the largest is read.
+  bool AskForSeries = false;
   /// Of the view, in pixels: a volume without a scene fills it.
   std::array<int, 2> ViewSize = { 512, 512 };
 };

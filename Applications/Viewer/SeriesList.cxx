@@ -1,0 +1,29 @@
+#include "SeriesList.h"
+
+#include <vtkDICOMVolumeReader.h>
+#include <vtkNew.h>
+
+namespace penumbra
+{
+
+//------------------------------------------------------------------------------
+std::vector<SeriesFacts> ListSeries(
+  const std::filesystem::path& folder, const std::filesystem::path& dicomParser)
+{
+  vtkNew<vtkDICOMVolumeReader> reader;
+  vtkObject::GlobalWarningDisplayOff(); // what is wrong is told where the volume is read
+  reader->SetFileName(folder.u8string().c_str());
+  reader->SetParserProgram(dicomParser.u8string().c_str());
+  reader->UpdateInformation();
+  vtkObject::GlobalWarningDisplayOn();
+  std::vector<SeriesFacts> series;
+  for (int i = 0; i < reader->GetNumberOfSeries(); ++i)
+  {
+    series.push_back({ reader->GetSeriesName(i), reader->GetSeriesModality(i),
+      reader->GetSeriesDescription(i), reader->GetSeriesNumberOfImages(i),
+      reader->GetSeriesColumns(i), reader->GetSeriesRows(i) });
+  }
+  return series;
+}
+
+}
