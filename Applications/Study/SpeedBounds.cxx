@@ -49,7 +49,8 @@ class Judgement
 public:
   explicit Judgement(const Rows& rows)
     : All(rows)
-    , Plain(Select(rows, [](const SpeedRow& row) { return row.HasBounds && row.IsPlain(); }))
+    , Plain(Select(rows,
+        [](const SpeedRow& row) { return row.HasBounds && row.IsPlain() && row.Relative > 0.0; }))
   {
   }
 

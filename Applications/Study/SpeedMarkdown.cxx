@@ -88,14 +88,20 @@ std::string BoundTable(const Rows& rows)
   return Table("Bounds", { "", "measured", "at most", "of", "" }, lines);
 }
 
+// Nothing is told where the stock mapper draws nothing.
+std::string StockFrames(const SpeedRow& row, const std::optional<double>& seconds)
+{
+  return seconds && row.Relative > 0.0 ? Fixed(row.InStockFrames(*seconds), 2) : "-";
+}
+
 // In the scene's own unlit frames, and in VTK's.
 std::string ThesisCell(const Rows& rows, const std::string& variant)
 {
   const SpeedRow* unlit = Find(rows, "unlit");
   const SpeedRow* row = Find(rows, variant);
-  return unlit && row && unlit->CpuSeconds > 0.0
-    ? Fixed(row->CpuSeconds / unlit->CpuSeconds, 2) + " (" + Fixed(row->Relative, 2) + ")"
-    : "-";
+  return unlit && row && unlit->CpuSeconds > 0.0 ? Fixed(row->CpuSeconds / unlit->CpuSeconds, 2) +
+      " (" + StockFrames(*row, row->CpuSeconds) + ")"
+                                                 : "-";
 }
 
 std::string ThesisTable(const Rows& all)
@@ -130,11 +136,6 @@ std::set<std::string> NamesOfCounts(const Rows& rows)
   return names;
 }
 
-std::string StockFrames(const SpeedRow& row, const std::optional<double>& seconds)
-{
-  return seconds ? Fixed(row.InStockFrames(*seconds), 2) : "-";
-}
-
 // With the technique that drew it, where that is another.
 std::string NameOf(const SpeedRow& row)
 {
@@ -145,9 +146,9 @@ std::string NameOf(const SpeedRow& row)
 
 Words SceneLine(const SpeedRow& row, const std::set<std::string>& counts)
 {
-  Words words = { NameOf(row), Fixed(row.Relative, 2), Fixed(row.CpuSeconds, 3),
-    Fixed(row.InStockFrames(row.First), 2), StockFrames(row, row.LightEdit),
-    StockFrames(row, row.OpacityEdit), row.Error ? Fixed(row.Error->RootMeanSquare, 2) : "-",
+  Words words = { NameOf(row), StockFrames(row, row.CpuSeconds), Fixed(row.CpuSeconds, 3),
+    StockFrames(row, row.First), StockFrames(row, row.LightEdit), StockFrames(row, row.OpacityEdit),
+    row.Error ? Fixed(row.Error->RootMeanSquare, 2) : "-",
     row.Error ? Fixed(row.Error->Percentile999, 1) : "-",
     row.ChangedBySkipping ? Fixed(1e4 * *row.ChangedBySkipping, 1) : "-",
     row.PeakMemory ? Fixed(1e-6 * static_cast<double>(*row.PeakMemory), 0) : "-" };
@@ -216,9 +217,9 @@ std::string GridTable(const Rows& rows)
     for (const std::string& variant : variants)
     {
       const SpeedRow* row = Find(here, variant);
-      line.push_back(!row
-          ? "-"
-          : (row->Relative == 1.0 ? Fixed(row->CpuSeconds, 3) + " s" : Fixed(row->Relative, 2)));
+      line.push_back(!row ? "-"
+                          : (variant == StockUnlit ? Fixed(row->CpuSeconds, 3) + " s"
+                                                   : StockFrames(*row, row->CpuSeconds)));
     }
     lines.push_back(line);
   }

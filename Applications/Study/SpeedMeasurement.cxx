@@ -1,9 +1,10 @@
 #include "SpeedMeasurement.h"
 
 #include "InputError.h"
-#include "Median.h"
 #include "RenderingError.h"
 #include "SpeedRendering.h"
+#include "SpeedTimes.h"
+#include "SpeedVoxels.h"
 
 #include <vtkImageData.h>
 #include <vtkOutputWindow.h>
@@ -17,9 +18,7 @@ namespace penumbra
 {
 namespace
 {
-// Seconds of the processor. Frames that take longer are timed once, and those beyond the second
-// are left out unless all is asked for.
-constexpr double LongFrame = 1.5;
+// Processor seconds; frames that take longer are left out unless all is asked for.
 constexpr double LongestFrame = 20.0;
 
 // VTK's messages go to each rendering in turn meanwhile.
@@ -44,43 +43,16 @@ struct Drawn
   SpeedRow Row;
   std::unique_ptr<SpeedRendering> Rendering;
   StudyPicture Picture;
-  std::vector<double> Cpu;
-  std::vector<double> Seconds;
-  std::vector<double> LightEdits;
-  std::vector<double> OpacityEdits;
-
-  // Called again for every round.
-  void Time()
-  {
-    const auto timed = static_cast<int>(this->Cpu.size());
-    if (timed >= this->Variant.Rounds || TakesLong(this->Cpu))
-    {
-      return;
-    }
-    const FrameTime time = this->Rendering->Draw();
-    this->Cpu.push_back(time.CpuSeconds);
-    this->Seconds.push_back(time.Seconds);
-    if (this->Variant.HasEdits)
-    {
-      this->TimeEdit(SceneChange::Light, this->LightEdits);
-      this->TimeEdit(SceneChange::Opacity, this->OpacityEdits);
-    }
-  }
-
-private:
-  static bool TakesLong(const std::vector<double>& cpu)
-  {
-    return !cpu.empty() && cpu.front() > LongFrame;
-  }
-
-  void TimeEdit(SceneChange change, std::vector<double>& cpu) const
-  {
-    if (!TakesLong(cpu))
-    {
-      cpu.push_back(this->Rendering->DrawAfter(change).CpuSeconds);
-    }
-  }
+  SpeedTimes Times;
 };
+
+// All pixels are the same.
+bool IsBlank(const StudyPicture& picture)
+{
+  constexpr std::ptrdiff_t channels = 4;
+  return std::equal(
+    picture.Values.begin() + channels, picture.Values.end(), picture.Values.begin());
+}
 
 class CellMeasurement
 {
@@ -106,10 +78,11 @@ public:
     {
       for (Drawn& drawn : this->All)
       {
-        this->Attempt(drawn.Variant.Name, [&] { drawn.Time(); });
+        this->Attempt(
+          drawn.Variant.Name, [&] { drawn.Times.AddRound(drawn.Variant, *drawn.Rendering); });
       }
     }
-    this->AddRows();
+    this->AddRows(this->SecondsOfStockUnlit());
     return this->Result;
   }
 
@@ -247,21 +220,32 @@ private:
       : std::nullopt;
   }
 
-  void AddRows()
+  // What all others are multiples of. 0 where there is nothing to compare with.
+  double SecondsOfStockUnlit()
   {
-    double unlit = 0.0;
+    const auto stock = std::find_if(this->All.begin(), this->All.end(),
+      [](const Drawn& drawn) { return drawn.Variant.Name == StockUnlit; });
+    if (stock == this->All.end())
+    {
+      return 0.0;
+    }
+    if (IsBlank(stock->Picture))
+    {
+      this->Note("VTK's own mapper draws nothing of it, so that there are no multiples");
+      return 0.0;
+    }
+    SpeedRow row;
+    stock->Times.PutInto(row);
+    return row.CpuSeconds;
+  }
+
+  void AddRows(double unlit)
+  {
     for (Drawn& drawn : this->All)
     {
       SpeedRow& row = drawn.Row;
-      row.CpuSeconds = Median(drawn.Cpu);
-      row.Seconds = Median(drawn.Seconds);
-      unlit = row.Variant == StockUnlit ? row.CpuSeconds : unlit;
+      drawn.Times.PutInto(row);
       row.Relative = unlit > 0.0 ? row.CpuSeconds / unlit : 0.0;
-      if (drawn.Variant.HasEdits)
-      {
-        row.LightEdit = Median(drawn.LightEdits);
-        row.OpacityEdit = Median(drawn.OpacityEdits);
-      }
       this->Result.Rows.push_back(row);
     }
   }

@@ -5,45 +5,15 @@
 #include "SceneDefaults.h"
 #include "SceneFile.h"
 
-#include <vtkFieldData.h>
 #include <vtkIlluminatedVolumeMapper.h>
 #include <vtkImageData.h>
-#include <vtkImageResize.h>
 #include <vtkMath.h>
 #include <vtkRenderWindow.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace penumbra
 {
 namespace
 {
-// The volume keeps its bounds: its first and last voxels along each axis stay where they are.
-vtkSmartPointer<vtkImageData> Resample(vtkImageData* volume, int edge)
-{
-  const int* size = volume->GetDimensions();
-  const int longest = *std::max_element(size, size + 3);
-  if (edge == longest || longest == 1)
-  {
-    return volume;
-  }
-  int resampled[3];
-  std::transform(size, size + 3, resampled,
-    [&](int count)
-    { return static_cast<int>(std::lround((count - 1.0) * (edge - 1.0) / (longest - 1.0))) + 1; });
-  vtkNew<vtkImageResize> resize;
-  resize->SetInputData(volume);
-  resize->SetResizeMethodToOutputDimensions();
-  resize->SetOutputDimensions(resampled);
-  resize->Update();
-  vtkImageData* output = resize->GetOutput();
-  // What the filter drops: how the volume lies, and its modality, by which a look is chosen.
-  output->SetDirectionMatrix(volume->GetDirectionMatrix());
-  output->SetFieldData(volume->GetFieldData());
-  return output;
-}
-
 // A headlight is one direction of the camera's frame.
 void FixHeadlight(LightDescription& light)
 {
@@ -78,22 +48,6 @@ void SetLights(SceneDescription& scene, int count)
     copy.Position = Sum(center, Rotated(Difference(first.Position, center), up, angle));
   }
 }
-}
-
-//------------------------------------------------------------------------------
-SceneVoxels ReadSpeedVoxels(const SpeedCell& cell, const std::filesystem::path& dicomParser)
-{
-  const SceneDescription scene = LoadScene(cell.Scene.File, {});
-  std::vector<std::string> warnings;
-  SceneVoxels voxels = ReadVoxels(scene.Volume, { dicomParser, {} }, warnings);
-  voxels.Environment = ReadEnvironmentImages(scene.Material);
-  if (cell.Edge > 0)
-  {
-    voxels.Volume = Resample(voxels.Volume, cell.Edge);
-    // A mask says which voxels are hidden, of which there are others now.
-    voxels.Mask = nullptr;
-  }
-  return voxels;
 }
 
 //------------------------------------------------------------------------------

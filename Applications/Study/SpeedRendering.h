@@ -21,10 +21,6 @@
 namespace penumbra
 {
 
-/// The cell's volume in its size. `dicomParser` as in VoxelReading.
-/// @throw InputError where it cannot be read.
-SceneVoxels ReadSpeedVoxels(const SpeedCell& cell, const std::filesystem::path& dicomParser);
-
 /// The scene as the cell and the request have it. @throw InputError where it does not take a
 /// setting.
 SceneDescription DescribeSpeedScene(

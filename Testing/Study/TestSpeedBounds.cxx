@@ -31,6 +31,7 @@ TEST_CASE("Bounds of frames are medians over the scenes that they are stated for
   rows.back().HasBounds = false;
   rows.push_back(Row("a", "unlit", 0.7));
   rows.back().Image = 256;
+  rows.push_back(Row("what the stock mapper cannot draw", "unlit", 0.0));
   CHECK(ValueOf(rows, "unlit") == 0.25);
   CHECK(Find(JudgeSpeed(rows), "unlit")->Where == "median of 3 scenes");
   CHECK(Find(JudgeSpeed(rows), "unlit")->IsHeld());

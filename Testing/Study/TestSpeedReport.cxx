@@ -35,14 +35,18 @@ TEST_CASE("A row is the same after it was written and read")
 
 TEST_CASE("Speed tables have a line for every row, and a column for what is counted")
 {
-  const auto rows = { Row("a", "unlit", 0.25), Counted(Cached("a", "volume", 0.5, 0.75)) };
+  SpeedRow withoutStock = Row("b", "unlit", 0.25);
+  withoutStock.HasBounds = false;
+  withoutStock.Relative = 0.0;
+  const auto rows = { Row("a", "unlit", 0.25), Counted(Cached("a", "volume", 0.5, 0.75)),
+    withoutStock };
   const std::string csv = WriteSpeedCsv(Result(rows));
-  CHECK(std::count(csv.begin(), csv.end(), '\n') == 3);
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 4);
   CHECK_THAT(csv, ContainsSubstring("peak_memory_bytes,samples\n"));
   CHECK_THAT(
     csv, ContainsSubstring("\"volume\",volume,1,0.5,0.25,0.5,0,1,1.5,0.75,2,,5000000000,"));
   const auto json = nlohmann::json::parse(WriteSpeedJson(Result(rows), "penumbra-study speed"));
-  CHECK(json["rows"].size() == 2);
+  CHECK(json["rows"].size() == 3);
   CHECK(json["command"] == "penumbra-study speed");
   CHECK(json["openglRenderer"] == "a driver");
   CHECK(json["machine"]["processors"] > 0);
@@ -52,7 +56,9 @@ TEST_CASE("Speed tables have a line for every row, and a column for what is coun
   CHECK_THAT(markdown,
     ContainsSubstring(
       "| volume | 0.50 | 0.500 | 0.00 | 1.00 | 1.50 | 0.75 | 2.0 | - | 5000 | 123456 |"));
-  CHECK_THAT(markdown, ContainsSubstring("| a | 256 | 512 | 1 | 0.25 | 0.50 |"));
+  CHECK_THAT(markdown,
+    ContainsSubstring("| a | 256 | 512 | 1 | 0.25 | 0.50 |") &&
+      ContainsSubstring("| b | 256 | 512 | 1 | - | - |"));
   CHECK_THAT(markdown, ContainsSubstring("map is left out: why"));
 }
 
