@@ -114,8 +114,10 @@ std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full)
   }
   if (cell.IsPlain())
   {
-    variants.push_back(ShadowVariant("rays", "hard"));
-    variants.push_back(ShadowVariant("map", "hard"));
+    for (const char* technique : { "rays", "volume", "map", "deep-map" })
+    {
+      variants.push_back(ShadowVariant(technique, "hard"));
+    }
     variants.push_back(UnlitAtQuarterVoxel());
   }
   if (full && cell.Lights == 1 && cell.Image == 512)

@@ -46,6 +46,24 @@ struct Drawn
   SpeedTimes Times;
 };
 
+// What a report counts. Renderers that have none of it leave it out or null.
+std::map<std::string, double> CountsOf(const nlohmann::json& report)
+{
+  static const std::pair<const char*, const char*> places[] = { { "/emptySpace/bricks", "bricks" },
+    { "/emptySpace/occupiedBricks", "occupied bricks" }, { "/keptShadows/bytes", "shadow bytes" },
+    { "/keptShadows/nearSteps", "near steps" }, { "/gradientTexture/bytes", "gradient bytes" } };
+  std::map<std::string, double> counts;
+  for (const auto& [place, name] : places)
+  {
+    const nlohmann::json::json_pointer pointer(place);
+    if (report.contains(pointer) && report[pointer].is_number())
+    {
+      counts[name] = report[pointer];
+    }
+  }
+  return counts;
+}
+
 // All pixels are the same.
 bool IsBlank(const StudyPicture& picture)
 {
@@ -167,7 +185,9 @@ private:
     const nlohmann::json report = drawn.Rendering->Report();
     this->Result.OpenGLRenderer = report["openglRenderer"];
     drawn.Row.Technique = report["technique"];
-    drawn.Row.Counts = report.value("counts", std::map<std::string, double>());
+    drawn.Row.Counts = CountsOf(report);
+    drawn.Row.Resolution =
+      report.value("/keptShadows/resolution"_json_pointer, drawn.Row.Resolution);
     if (drawn.Variant.Truth)
     {
       drawn.Row.Error = CompareWithReference(drawn.Picture, this->TruthOf(*drawn.Variant.Truth));
