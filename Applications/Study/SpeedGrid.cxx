@@ -52,6 +52,15 @@ void AddResolutions(std::vector<SpeedVariant>& variants)
   }
 }
 
+// How right a shadow is is told of one light.
+void ForgetTruths(std::vector<SpeedVariant>& variants)
+{
+  for (SpeedVariant& variant : variants)
+  {
+    variant.Truth.reset();
+  }
+}
+
 // The picture of an unlit scene is the stock mapper's where steps are short.
 SpeedVariant UnlitAtQuarterVoxel()
 {
@@ -111,6 +120,10 @@ std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full)
   for (const char* technique : { "rays", "volume", "deep-map", "auto" })
   {
     variants.push_back(ShadowVariant(technique, "soft"));
+  }
+  if (cell.Lights > 1)
+  {
+    ForgetTruths(variants);
   }
   if (cell.IsPlain())
   {

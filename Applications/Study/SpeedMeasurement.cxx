@@ -64,6 +64,11 @@ std::map<std::string, double> CountsOf(const nlohmann::json& report)
   return counts;
 }
 
+bool Skips(const nlohmann::json& report)
+{
+  return report["requirements"].value("empty-space skipping", "no") == "yes";
+}
+
 // All pixels are the same.
 bool IsBlank(const StudyPicture& picture)
 {
@@ -194,7 +199,7 @@ private:
     }
     if (this->Cell.IsPlain())
     {
-      drawn.Row.ChangedBySkipping = this->ChangedBySkipping(drawn);
+      drawn.Row.ChangedBySkipping = Skips(report) ? this->ChangedBySkipping(drawn) : std::nullopt;
       drawn.Row.PeakMemory = this->PeakMemoryOf(drawn.Variant);
     }
   }
@@ -217,10 +222,6 @@ private:
   {
     SpeedRequest request = drawn.Variant.Request;
     request.Settings.push_back("skipEmptySpace=false");
-    if (DescribeSpeedScene(this->Cell, request, this->Voxels).Renderer != RendererChoice::Penumbra)
-    {
-      return std::nullopt;
-    }
     const auto rendering = this->Render(request);
     rendering->Draw();
     return PartThatDiffers(drawn.Picture, rendering->TakePicture());

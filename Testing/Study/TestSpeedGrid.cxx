@@ -67,6 +67,20 @@ TEST_CASE("Every variant has a name of its own, the stock mapper's unlit frame t
   }
 }
 
+TEST_CASE("Shadows of one light are held against a truth, those of many are timed alone")
+{
+  for (const int lights : { 1, 4 })
+  {
+    for (const SpeedVariant& variant :
+      GetSpeedVariants({ { "a", "a.json" }, 64, 512, lights }, true))
+    {
+      CAPTURE(variant.Name, lights);
+      const bool isUnshadowed = variant.Name.find("lit") != std::string::npos;
+      CHECK(variant.Truth.has_value() == (lights == 1 && !isUnshadowed));
+    }
+  }
+}
+
 TEST_CASE("A volume in another size fills the same box")
 {
   const SpeedCell own{ { "brain", PENUMBRA_DATA "/brain.json" } };
