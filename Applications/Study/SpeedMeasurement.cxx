@@ -3,6 +3,7 @@
 #include "InputError.h"
 #include "RenderingError.h"
 #include "SpeedRendering.h"
+#include "SpeedRenderingReport.h"
 #include "SpeedTimes.h"
 #include "SpeedVoxels.h"
 
@@ -45,29 +46,6 @@ struct Drawn
   StudyPicture Picture;
   SpeedTimes Times;
 };
-
-// What a report counts. Renderers that have none of it leave it out or null.
-std::map<std::string, double> CountsOf(const nlohmann::json& report)
-{
-  static const std::pair<const char*, const char*> places[] = { { "/emptySpace/bricks", "bricks" },
-    { "/emptySpace/occupiedBricks", "occupied bricks" }, { "/keptShadows/bytes", "shadow bytes" },
-    { "/keptShadows/nearSteps", "near steps" }, { "/gradientTexture/bytes", "gradient bytes" } };
-  std::map<std::string, double> counts;
-  for (const auto& [place, name] : places)
-  {
-    const nlohmann::json::json_pointer pointer(place);
-    if (report.contains(pointer) && report[pointer].is_number())
-    {
-      counts[name] = report[pointer];
-    }
-  }
-  return counts;
-}
-
-bool Skips(const nlohmann::json& report)
-{
-  return report["requirements"].value("empty-space skipping", "no") == "yes";
-}
 
 // All pixels are the same.
 bool IsBlank(const StudyPicture& picture)
@@ -189,17 +167,15 @@ private:
   {
     const nlohmann::json report = drawn.Rendering->Report();
     this->Result.OpenGLRenderer = report["openglRenderer"];
-    drawn.Row.Technique = report["technique"];
-    drawn.Row.Counts = CountsOf(report);
-    drawn.Row.Resolution =
-      report.value("/keptShadows/resolution"_json_pointer, drawn.Row.Resolution);
+    ReadReport(report, drawn.Row);
     if (drawn.Variant.Truth)
     {
       drawn.Row.Error = CompareWithReference(drawn.Picture, this->TruthOf(*drawn.Variant.Truth));
     }
     if (this->Cell.IsPlain())
     {
-      drawn.Row.ChangedBySkipping = Skips(report) ? this->ChangedBySkipping(drawn) : std::nullopt;
+      drawn.Row.ChangedBySkipping =
+        SkipsEmptySpace(report) ? this->ChangedBySkipping(drawn) : std::nullopt;
       drawn.Row.PeakMemory = this->PeakMemoryOf(drawn.Variant);
     }
   }

@@ -1,6 +1,7 @@
 #include "Catch.h"
 #include "SpeedCharts.h"
 #include "SpeedMarkdown.h"
+#include "SpeedRenderingReport.h"
 #include "SpeedReport.h"
 #include "SpeedRows.h"
 
@@ -31,6 +32,22 @@ TEST_CASE("A row is the same after it was written and read")
   CHECK(nlohmann::json(json.get<SpeedRow>()) == json);
   CHECK(json["peakMemoryBytes"] == 5000000000);
   CHECK(json["changedBySkipping"].is_null());
+}
+
+TEST_CASE("What a rendering reports is taken, and what it does not is left out")
+{
+  SpeedRow row = Row("a", "volume", 0.5);
+  ReadReport({ { "technique", "volume" }, { "gradientTexture", nullptr },
+               { "keptShadows", { { "bytes", 4096 }, { "resolution", 0.5 } } } },
+    row);
+  CHECK(row.Technique == "volume");
+  CHECK(row.Resolution == 0.5);
+  CHECK(row.Counts == std::map<std::string, double>{ { "shadow bytes", 4096.0 } });
+  ReadReport({ { "technique", "none" }, { "keptShadows", nullptr } }, row);
+  CHECK(row.Counts.empty());
+  CHECK(SkipsEmptySpace({ { "requirements", { { "empty-space skipping", "yes" } } } }));
+  CHECK_FALSE(SkipsEmptySpace({ { "requirements", { { "empty-space skipping", "no" } } } }));
+  CHECK_FALSE(SkipsEmptySpace({ { "requirements", { { "colour", "yes" } } } }));
 }
 
 TEST_CASE("Speed tables have a line for every row, and a column for what is counted")
