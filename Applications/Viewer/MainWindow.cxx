@@ -1,5 +1,6 @@
 #include "MainWindow.h"
 
+#include "AppearancePanel.h"
 #include "FileActions.h"
 #include "InformationPanel.h"
 #include "LightPanel.h"
@@ -114,18 +115,14 @@ void MainWindow::MakePanels()
   this->LightDock =
     this->AddPanel(tr("Lights"), "lightDock", Qt::RightDockWidgetArea, this->Lights);
 
-  auto* const material = new PropertyForm(this->Document, this);
-  FillMaterialForm(material, this->Document);
-  this->AppearanceDock = this->AddPanel(
-    tr("Appearance"), "appearanceDock", Qt::RightDockWidgetArea, MakeScrollable(material));
+  this->Appearance = new AppearancePanel(this->Document, this->View, this);
+  this->AppearanceDock =
+    this->AddPanel(tr("Appearance"), "appearanceDock", Qt::RightDockWidgetArea, this->Appearance);
   auto* const rendering = new PropertyForm(this->Document, this);
   FillRenderingForm(rendering, this->Document);
   this->RenderingDock = this->AddPanel(
     tr("Rendering"), "renderingDock", Qt::RightDockWidgetArea, MakeScrollable(rendering));
-  for (PropertyForm* form : { material, rendering })
-  {
-    form->Refresh();
-  }
+  rendering->Refresh();
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   this->tabifyDockWidget(this->LightDock, this->AppearanceDock);
   this->tabifyDockWidget(this->AppearanceDock, this->RenderingDock);

@@ -15,6 +15,7 @@
 namespace penumbra
 {
 
+class AppearancePanel;
 class FileActions;
 class InformationPanel;
 class LightPanel;
@@ -58,6 +59,7 @@ public:
   SceneOpening* GetOpening() { return this->Opening; }
   VolumeView* GetView() { return this->View; }
   LightPanel* GetLightPanel() { return this->Lights; }
+  AppearancePanel* GetAppearance() { return this->Appearance; }
   MessageBar* GetMessageBar() { return this->Messages; }
 
 protected:
@@ -89,6 +91,7 @@ private:
   ReadingProgress* Progress = nullptr;
   InformationPanel* Information = nullptr;
   LightPanel* Lights = nullptr;
+  AppearancePanel* Appearance = nullptr;
   QDockWidget* InformationDock = nullptr;
   QDockWidget* LightDock = nullptr;
   QDockWidget* AppearanceDock = nullptr;

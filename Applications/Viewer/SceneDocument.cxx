@@ -60,9 +60,9 @@ QString SceneDocument::Edit(
     return QString();
   }
   const auto edited = std::make_shared<SceneDescription>(*this->Scene);
-  change(*edited);
   try
   {
+    change(*edited);
     const std::string after = TextOf(*edited);
     if (after == TextOf(*this->Scene))
     {

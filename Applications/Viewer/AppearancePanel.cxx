@@ -1,0 +1,41 @@
+#include "AppearancePanel.h"
+
+#include "PresetPanel.h"
+#include "PropertyForm.h"
+#include "RenderingForm.h"
+#include "SceneDocument.h"
+#include "TransferFunctionChart.h"
+
+#include <QScrollArea>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+namespace penumbra
+{
+
+//------------------------------------------------------------------------------
+AppearancePanel::AppearancePanel(SceneDocument* document, VolumeView* view, QWidget* parent)
+  : QWidget(parent)
+  , Presets(new PresetPanel(document, view, this))
+  , Chart(new TransferFunctionChart(document, this))
+{
+  auto* const column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 6, 6, 6);
+  auto* const splitter = new QSplitter(Qt::Vertical, this);
+  splitter->setChildrenCollapsible(false);
+  splitter->addWidget(this->Presets);
+  splitter->addWidget(this->Chart);
+  auto* const material = new PropertyForm(document, this);
+  FillMaterialForm(material, document);
+  material->Refresh();
+  auto* const area = new QScrollArea(this);
+  area->setWidget(material);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setMinimumHeight(120);
+  splitter->addWidget(area);
+  splitter->setStretchFactor(2, 1);
+  column->addWidget(splitter);
+}
+
+}

@@ -1,0 +1,78 @@
+/**
+ * @class   TransferFunctionChart
+ * @brief   opacity and colour over the values of the volume, to be edited by dragging points
+ *
+ * The upper chart has the opacity's points over the histogram, the lower one the colours'. A click
+ * adds a point, dragging moves it, the Delete key removes it; a double click on a colour's point
+ * changes the colour. Dragging with the right button moves all points (left, right) and stretches
+ * them (up, down): level and window.
+ */
+
+#ifndef TransferFunctionChart_h
+#define TransferFunctionChart_h
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+class vtkChartXY;
+class vtkColorTransferControlPointsItem;
+class vtkColorTransferFunction;
+class vtkContextActor;
+class vtkGenericOpenGLRenderWindow;
+class vtkImageData;
+class vtkPiecewiseControlPointsItem;
+class vtkPiecewiseFunction;
+class vtkRenderer;
+class vtkTable;
+
+namespace penumbra
+{
+
+class SceneDocument;
+
+class TransferFunctionChart : public QVTKOpenGLNativeWidget
+{
+  Q_OBJECT
+public:
+  explicit TransferFunctionChart(SceneDocument* document, QWidget* parent = nullptr);
+  ~TransferFunctionChart() override;
+
+  vtkPiecewiseFunction* GetOpacity() { return this->Opacity; }
+  vtkColorTransferFunction* GetColor() { return this->Color; }
+
+protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  void MakeCharts();
+  void ArrangeCharts();
+  void ApplyTheme();
+  void ShowOpened();
+  void ShowScene();
+  void TakeOpacity();
+  void TakeColor();
+  void ChooseColor();
+
+  SceneDocument* Document;
+  vtkNew<vtkGenericOpenGLRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkContextActor> Actor;
+  vtkNew<vtkChartXY> OpacityChart;
+  vtkNew<vtkChartXY> ColorChart;
+  vtkNew<vtkPiecewiseFunction> Opacity;
+  vtkNew<vtkColorTransferFunction> Color;
+  vtkNew<vtkPiecewiseControlPointsItem> OpacityPoints;
+  vtkNew<vtkColorTransferControlPointsItem> ColorPoints;
+  vtkSmartPointer<vtkTable> Histogram;
+  QPointF LastPlace;
+  bool Showing = false;
+};
+
+}
+
+#endif
