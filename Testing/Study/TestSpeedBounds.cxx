@@ -42,8 +42,8 @@ TEST_CASE("Bounds of frames are medians over the scenes that they are stated for
 TEST_CASE("Of the techniques with a cache the cheapest that is right enough counts")
 {
   const std::vector<SpeedRow> rows = { Cached("a", "volume", 0.2, 3.0),
-    Cached("a", "deep-map", 0.5, 0.9), Cached("b", "volume", 0.3, 0.8),
-    Cached("b", "deep-map", 0.9, 0.1), Cached("c", "volume", 0.2, 5.0),
+    Cached("a", "deep-map", 0.5, 0.9), Cached("b", "deep-map", 0.9, 0.1),
+    Cached("b", "volume", 0.3, 0.8), Cached("c", "volume", 0.2, 5.0),
     Cached("c", "deep-map", 0.55, 4.0) };
   CHECK(ValueOf(rows, "a soft shadow from a cache") == 0.5);
   CHECK(ValueOf(rows, "a soft shadow from a cache, on any") == 0.55);
@@ -73,11 +73,11 @@ TEST_CASE("More lights and more voxels are held against fewer")
 
 TEST_CASE("Edits are told in unlit frames of the stock mapper")
 {
-  // A frame of 0.5 takes a second; so the unlit frame takes two.
+  // Half an unlit frame takes two seconds; so the unlit frame takes four.
   SpeedRow row = Row("a", "auto", 0.5);
-  row.CpuSeconds = 1.0;
-  row.LightEdit = 5.0;
-  row.OpacityEdit = 7.0;
+  row.CpuSeconds = 2.0;
+  row.LightEdit = 10.0;
+  row.OpacityEdit = 14.0;
   CHECK(ValueOf({ row }, "a moved light") == 2.5);
   CHECK(ValueOf({ row }, "a changed opacity") == 3.5);
   CHECK_FALSE(Find(JudgeSpeed({ row }), "a changed opacity")->IsHeld());
