@@ -47,7 +47,7 @@ std::vector<SpeedRow> RowsAlong(
   return along;
 }
 
-// Those that were drawn at one place only make no curve.
+// Two points make no curve.
 std::vector<ChartSeries> CurvesOf(const std::vector<SpeedRow>& rows, const Axis& axis)
 {
   std::vector<ChartSeries> curves;
@@ -63,7 +63,7 @@ std::vector<ChartSeries> CurvesOf(const std::vector<SpeedRow>& rows, const Axis&
     curve->Y.push_back(row.CpuSeconds);
   }
   curves.erase(std::remove_if(curves.begin(), curves.end(),
-                 [](const ChartSeries& series) { return series.X.size() < 2; }),
+                 [](const ChartSeries& series) { return series.X.size() < 3; }),
     curves.end());
   return curves;
 }

@@ -23,7 +23,7 @@ struct SpeedChart
 };
 
 /// Processor time over the volume's edge, the number of lights and the picture's edge, of every
-/// scene that has at least two of them.
+/// scene that has at least three of them.
 std::vector<SpeedChart> MakeSpeedCharts(const std::vector<SpeedRow>& rows);
 
 }

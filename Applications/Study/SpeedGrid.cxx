@@ -4,6 +4,8 @@ namespace penumbra
 {
 namespace
 {
+// As often as its turn comes.
+constexpr int ManyRounds = 100;
 const std::vector<std::string> UnlitSettings = { "shade=false",
   "opticalModel=absorption-emission" };
 const std::vector<std::string> StockUnlitSettings = { "renderer=vtk", "shade=false",
@@ -114,7 +116,8 @@ const char* const StockUnlit = "vtk, unlit";
 //------------------------------------------------------------------------------
 std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full)
 {
-  std::vector<SpeedVariant> variants = { { StockUnlit, { StockUnlitSettings }, {} },
+  std::vector<SpeedVariant> variants = { { StockUnlit, { StockUnlitSettings }, {}, false,
+                                           ManyRounds },
     { "vtk, lit", { Lit({ "renderer=vtk" }) }, {} }, { "unlit", { UnlitSettings }, {} },
     { "lit", { Lit({ "lights.0.shadow=none" }) }, {} } };
   for (const char* technique : { "rays", "volume", "deep-map", "auto" })

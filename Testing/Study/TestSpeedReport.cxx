@@ -118,12 +118,14 @@ TEST_CASE("Charts run along one axis each")
     rows.back().Edge = edge;
     rows.back().IsOwnSize = false;
   }
-  for (const int lights : { 1, 4 })
+  for (const int lights : { 1, 2, 4 })
   {
     rows.push_back(Row("a", "rays", lights));
     rows.back().Lights = lights;
   }
   rows.push_back(Row("b", "lit", 1.0));
+  rows.push_back(rows.back());
+  rows.back().Lights = 4;
   const std::vector<SpeedChart> charts = MakeSpeedCharts(rows);
   REQUIRE(charts.size() == 2);
   CHECK(charts[0].File == "a-cost-over-edge");
