@@ -4,6 +4,7 @@
 #include "InputError.h"
 #include "ProgramFolder.h"
 #include "ProgressLine.h"
+#include "SceneFile.h"
 #include "SpeedBounds.h"
 #include "SpeedCharts.h"
 #include "SpeedMarkdown.h"
@@ -68,6 +69,20 @@ std::optional<StudyWords> ParseWords(int argc, char* argv[])
   return words;
 }
 
+void CheckScene(const std::string& name)
+{
+  std::error_code ignored;
+  if (!fs::is_regular_file(fs::u8path(name), ignored))
+  {
+    throw InputError("there is no scene file " + name);
+  }
+  const SceneDescription scene = LoadScene(fs::u8path(name), {});
+  if (!fs::exists(scene.Volume.File, ignored))
+  {
+    throw InputError(name + ": there is no volume " + scene.Volume.File.u8string());
+  }
+}
+
 void CheckWords(const StudyWords& words)
 {
   if (words.Study != "error" && words.Study != "stability" && words.Study != "speed")
@@ -78,14 +93,11 @@ void CheckWords(const StudyWords& words)
   {
     throw InputError("the study of stability takes no scenes; it has its own");
   }
-  std::error_code ignored;
   for (const std::string& scene : words.Scenes)
   {
-    if (!fs::is_regular_file(fs::u8path(scene), ignored))
-    {
-      throw InputError("there is no scene file " + scene);
-    }
+    CheckScene(scene);
   }
+  std::error_code ignored;
   if (!words.Fetched.empty() && !fs::is_directory(fs::u8path(words.Fetched), ignored))
   {
     throw InputError("--data is " + words.Fetched + ", which is no folder");

@@ -1,7 +1,5 @@
 #include "Catch.h"
-#include "InputError.h"
 #include "SpeedStudy.h"
-#include "StudyCommand.h"
 #include "StudyScenes.h"
 #include "TemporaryFolder.h"
 
@@ -29,24 +27,6 @@ const SpeedRow* Find(const SpeedStudyResult& result, const std::string& variant)
   const auto found = std::find_if(result.Rows.begin(), result.Rows.end(),
     [&](const SpeedRow& row) { return row.Variant == variant; });
   return found == result.Rows.end() ? nullptr : &*found;
-}
-
-std::string ErrorOf(std::vector<std::string> words)
-{
-  std::vector<char*> arguments;
-  for (std::string& word : words)
-  {
-    arguments.push_back(word.data());
-  }
-  try
-  {
-    RunStudyCommand(static_cast<int>(arguments.size()), arguments.data());
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return "";
 }
 }
 
@@ -135,16 +115,4 @@ TEST_CASE("A scene that cannot be read is a note, and nothing to draw an error")
   CHECK_THAT(result.Notes[0], ContainsSubstring("broken, 32 pixels, 1 light is left out: "));
   CHECK_THROWS_WITH(Run({ broken }, folder), ContainsSubstring("nothing could be drawn: broken"));
   CHECK_THROWS_WITH(Run({}, folder), ContainsSubstring("no scenes"));
-}
-
-TEST_CASE("Arguments that are no study are refused")
-{
-  const TemporaryFolder folder;
-  CHECK_THAT(ErrorOf({ "penumbra-study", "fast" }),
-    ContainsSubstring("STUDY is \"fast\"; accepted: error, stability, speed"));
-  CHECK_THAT(ErrorOf({ "penumbra-study", "speed", "missing.json" }),
-    ContainsSubstring("there is no scene file missing.json"));
-  CHECK_THAT(ErrorOf({ "penumbra-study", "speed", "--data", folder.PathOf("missing") }),
-    ContainsSubstring("--data is " + folder.PathOf("missing") + ", which is no folder"));
-  CHECK_THAT(ErrorOf({ "penumbra-study", "speed", "--quick" }), ContainsSubstring("--quick"));
 }
