@@ -56,6 +56,7 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(const SceneDescriptio
     mapper->SetShadowSampleDistance(*scene.Shadows.SampleDistance);
     mapper->SetGradientEstimator(static_cast<int>(scene.Gradient));
     mapper->SetGradientTextureBits(scene.GradientTexture);
+    mapper->SetSkipEmptySpace(scene.SkipEmptySpace);
     mapper->SetOpticalModel(OpticalModelOf(scene.Optics));
     return mapper;
   }

@@ -54,7 +54,7 @@ auto AsTuple(const LightingRequirements& r)
 {
   return std::tie(r.Optics, r.Lights, r.Technique, r.Reflection, r.Gradient, r.GradientTexture,
     r.NoiseFading, r.Diffuse, r.Specular, r.TwoSidedLighting, r.Attenuation, r.GradientOpacity,
-    r.ClippingPlanes, r.Cropping, r.Mask, r.Opacity, r.PreIntegrated);
+    r.ClippingPlanes, r.Cropping, r.Mask, r.Opacity, r.PreIntegrated, r.EmptySpaceSkipping);
 }
 
 RequirementEntry Flag(const std::string& name, bool needed)
@@ -223,6 +223,7 @@ std::vector<RequirementEntry> LightingRequirements::GetEntries() const
     Choice("optical model", GetName(this->Optics), true),
     Choice("opacity", GetLookupName(this->Opacity), true),
     Flag("pre-integration", this->PreIntegrated),
+    Flag("empty-space skipping", this->EmptySpaceSkipping),
     Flag("colour", this->NeedsColor()),
     Flag("gradient opacity", this->GradientOpacity),
     Count("clipping planes", this->ClippingPlanes),
@@ -314,6 +315,7 @@ LightingRequirements ComputeLightingRequirements(const LightedScene& scene)
   {
     needs.Opacity = TransferFunctionLookup::Table;
   }
+  needs.EmptySpaceSkipping = scene.EmptySpace;
   const OpticalModel byShade = scene.Property->GetShade(0) != 0 ? OpticalModel::SingleScattering
                                                                 : OpticalModel::AbsorptionEmission;
   needs.Optics = scene.Optics.value_or(byShade);

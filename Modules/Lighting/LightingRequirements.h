@@ -131,6 +131,8 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   /// Steps take the mean of the transfer functions over all scalars between their ends; else the
   /// functions at the sample in their middle.
   bool PreIntegrated = false;
+  /// Rays leap over bricks without visible matter.
+  bool EmptySpaceSkipping = false;
 
   bool operator==(const LightingRequirements& other) const;
   bool operator!=(const LightingRequirements& other) const { return !(*this == other); }
@@ -140,6 +142,11 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   int GetNumberOfLights(ShadowKind shadow) const;
   int GetNumberOfShadowedLights() const;
   bool IsShaded() const { return this->Optics == OpticalModel::SingleScattering; }
+  /// A step's matter may lie anywhere in it, not in its middle alone.
+  bool NeedsWholeSegments() const
+  {
+    return this->PreIntegrated || this->Mask || this->Cropping == CroppingKind::Regions;
+  }
   bool NeedsColor() const { return this->Optics != OpticalModel::Absorption; }
   bool NeedsEnvironment() const
   {
@@ -182,6 +189,8 @@ struct LightedScene
   bool SteepOpacity = false;
   /// Between voxels the scalar is interpolated linearly; else it is the nearest voxel's.
   bool LinearInterpolation = false;
+  /// Enough bricks of the volume hold no visible matter, and may be leapt over.
+  bool EmptySpace = false;
 };
 
 /// The one function that turns a scene into its requirements. It depends on its argument alone.

@@ -20,14 +20,14 @@ double CountSteps(double length, double stepLength)
   return std::ceil(length / stepLength) + 1.0;
 }
 
-// The loops of one view step: the step itself, its look-ups, the loop over the lights and their
-// rays.
+// The loops of one view step: a leap before it, the step itself, its look-ups, the loop over the
+// lights and their rays.
 double CountIterationsPerStep(const MarchingTask& task, double shadowSteps)
 {
   const double shadowIterations = std::ceil(shadowSteps / ShadowStepsPerIteration);
   const double perRay = task.ClippingPlanes +
     shadowIterations * (1.0 + ShadowStepsPerIteration * task.LookupIterations);
-  return 2.0 + 2.0 * task.LookupIterations + task.Lights + task.ShadowedLights * perRay;
+  return 3.0 + 2.0 * task.LookupIterations + task.Lights + task.ShadowedLights * perRay;
 }
 }
 

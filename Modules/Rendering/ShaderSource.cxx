@@ -20,6 +20,8 @@
 #include "GlslDeclarations.h"
 #include "GlslDiffuseNone.h"
 #include "GlslDiffuseTerm.h"
+#include "GlslEmptySpaceMap.h"
+#include "GlslEmptySpaceNone.h"
 #include "GlslEnvironmentDiffuse.h"
 #include "GlslEnvironmentDiffuseNone.h"
 #include "GlslEnvironmentSpecular.h"
@@ -40,6 +42,8 @@
 #include "GlslLightsDirectional.h"
 #include "GlslLightsPoint.h"
 #include "GlslLightsSpot.h"
+#include "GlslMarchSamples.h"
+#include "GlslMarchToMatter.h"
 #include "GlslMaskBinary.h"
 #include "GlslMaskNone.h"
 #include "GlslNormal.h"
@@ -72,6 +76,7 @@
 #include "GlslSpecularTerm.h"
 #include "GlslTransmittance.h"
 #include "GlslViewRay.h"
+#include "GlslViewRaySteps.h"
 
 #include <array>
 
@@ -154,6 +159,8 @@ const Snippet FragmentSnippets[] = {
   { GlslGradientOpacityTable, [](const Needs& n, bool) { return n.GradientOpacity; } },
   { GlslSegmentDepth, [](const Needs& n, bool) { return !n.PreIntegrated; } },
   { GlslSegmentIntegral, [](const Needs& n, bool) { return n.PreIntegrated; } },
+  { GlslEmptySpaceNone, [](const Needs& n, bool) { return !n.EmptySpaceSkipping; } },
+  { GlslEmptySpaceMap, [](const Needs& n, bool) { return n.EmptySpaceSkipping; } },
   { GlslSegmentColorNone, [](const Needs& n, bool) { return !n.NeedsColor(); } },
   { GlslSegmentColor, [](const Needs& n, bool) { return n.NeedsColor() && !n.PreIntegrated; } },
   { GlslSegmentColorIntegral,
@@ -213,6 +220,9 @@ const Snippet FragmentSnippets[] = {
   { GlslCompositingOver, [](const Needs& n, bool) { return n.Optics != OpticalModel::Emission; } },
   { GlslAccumulationNone, [](const Needs&, bool continued) { return !continued; } },
   { GlslAccumulationPrevious, [](const Needs&, bool continued) { return continued; } },
+  { GlslViewRaySteps, Always },
+  { GlslMarchSamples, [](const Needs& n, bool) { return !n.NeedsNormal(); } },
+  { GlslMarchToMatter, [](const Needs& n, bool) { return n.NeedsNormal(); } },
   { GlslViewRay, Always },
 };
 
@@ -259,6 +269,7 @@ std::string GetFragmentShaderSource(const LightingRequirements& requirements, bo
   std::string source = "//VTK::System::Dec\n//VTK::Output::Dec\n\n";
   source += DefineLightGroups(requirements);
   source += Define("CLIPPING_PLANES", requirements.ClippingPlanes);
+  source += Define("WHOLE_SEGMENTS", requirements.NeedsWholeSegments() ? 1 : 0);
   for (const Snippet& snippet : FragmentSnippets)
   {
     if (snippet.Needed(requirements, continued))

@@ -2,6 +2,8 @@
 
 #include "GradientNoise.h"
 #include "MatrixUniforms.h"
+#include "OpenGLEnumerants.h"
+#include "VisibleScalars.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace penumbra
 {
@@ -75,6 +78,7 @@ bool VolumeTextures::UpdateScalars(
   {
     return false;
   }
+  this->EmptySpace.ForgetScalars();
   this->LoadedScalars = scalars;
   this->LoadedImage = image;
   this->LoadedDimensions = dimensions;
@@ -104,6 +108,46 @@ bool VolumeTextures::UpdateGradients(
 }
 
 //------------------------------------------------------------------------------
+bool VolumeTextures::UpdateEmptySpace(vtkOpenGLRenderWindow* window, const CroppedRegions& regions)
+{
+  const vtkMTimeType changed =
+    std::max(this->TransferFunctionTime.GetMTime(), this->MaskTime.GetMTime());
+  if (this->EmptySpace.GetTexture()->GetHandle() && changed < this->EmptySpaceTime &&
+    regions == this->LoadedRegions)
+  {
+    return this->EmptySpace.GetReport().Helps();
+  }
+  if (!this->EmptySpace.HasBricks())
+  {
+    this->EmptySpace.ComputeBricks(
+      this->LoadedScalars, this->LoadedDimensions, this->Scalars.GetRange());
+  }
+  BrickVisibility visibility;
+  visibility.Regions = regions;
+  if (this->GradientOpacityTexture->GetHandle())
+  {
+    visibility.LeastGradient = FindLeastVisibleGradient(this->GradientOpacity);
+    visibility.GradientBound =
+      BoundGradient({ 0.0, 1.0 }, this->LoadedImage->GetSpacing(), this->LoadedEstimator);
+  }
+  if (this->LoadedMask)
+  {
+    visibility.ShownByMask =
+      FindShownBricks(this->LoadedMask->GetPointData()->GetScalars(), this->EmptySpace.GetGrid());
+  }
+  this->EmptySpace.Load(window, VisibleScalars(this->Table), visibility);
+  this->LoadedRegions = regions;
+  this->EmptySpaceTime.Modified();
+  return this->EmptySpace.GetReport().Helps();
+}
+
+//------------------------------------------------------------------------------
+void VolumeTextures::DropEmptySpace(vtkOpenGLRenderWindow* window)
+{
+  this->EmptySpace.Release(window);
+}
+
+//------------------------------------------------------------------------------
 double VolumeTextures::GetNoise()
 {
   if (this->NoiseTime < this->ScalarsTime)
@@ -119,6 +163,10 @@ bool VolumeTextures::UpdateMask(vtkOpenGLRenderWindow* window, vtkImageData* mas
 {
   if (!mask)
   {
+    if (this->LoadedMask)
+    {
+      this->MaskTime.Modified();
+    }
     this->Mask->ReleaseGraphicsResources(window);
     this->LoadedMask = nullptr;
     return true;
@@ -191,7 +239,7 @@ void VolumeTextures::LoadTable(vtkOpenGLRenderWindow* window)
   Prepare(this->Extinction, window, vtkTextureObject::Linear);
   Prepare(this->Color, window, vtkTextureObject::Linear);
   const int size = this->Table.GetSize();
-  this->Color->Create1DFromRaw(size, 3, VTK_FLOAT, this->Table.Color.data());
+  this->LoadColor();
   if (!this->Table.Steep)
   {
     this->Extinction->Create1DFromRaw(size, 1, VTK_FLOAT, this->Table.Extinction.data());
@@ -206,6 +254,36 @@ void VolumeTextures::LoadTable(vtkOpenGLRenderWindow* window)
   this->Extinction->Create1DFromRaw(size, 2, VTK_FLOAT, extinction.data());
   Prepare(this->ColorIntegral, window, vtkTextureObject::Linear);
   this->ColorIntegral->Create1DFromRaw(size, 4, VTK_FLOAT, this->Table.ColorIntegral.data());
+}
+
+//------------------------------------------------------------------------------
+// 10 bits a channel are within an eighth of a grey level of 255, and software rasterizers fetch
+// them at a third of the cost of floats. Colours brighter than white need floats.
+void VolumeTextures::LoadColor()
+{
+  std::vector<float>& color = this->Table.Color;
+  const bool fits = std::all_of(
+    color.begin(), color.end(), [](float channel) { return channel >= 0.0f && channel <= 1.0f; });
+  if (!fits)
+  {
+    this->Color->Create1DFromRaw(this->Table.GetSize(), 3, VTK_FLOAT, color.data());
+    return;
+  }
+  constexpr float largest = 1023.0f;
+  std::vector<std::uint32_t> packed;
+  for (std::size_t entry = 0; entry < color.size(); entry += 3)
+  {
+    std::uint32_t texel = 0;
+    for (int channel = 2; channel >= 0; --channel)
+    {
+      texel = texel << 10 | static_cast<std::uint32_t>(color[entry + channel] * largest + 0.5f);
+    }
+    packed.push_back(texel);
+  }
+  this->Color->SetInternalFormat(GL_RGB10_A2);
+  this->Color->SetFormat(GL_RGBA);
+  this->Color->SetDataType(GL_UNSIGNED_INT_2_10_10_10_REV);
+  this->Color->Create1DFromRaw(this->Table.GetSize(), 4, VTK_UNSIGNED_INT, packed.data());
 }
 
 //------------------------------------------------------------------------------
@@ -255,9 +333,10 @@ int VolumeTextures::GetLookupIterations() const
 std::vector<vtkTextureObject*> VolumeTextures::GetLoaded() const
 {
   std::vector<vtkTextureObject*> loaded;
-  for (vtkTextureObject* texture : std::initializer_list<vtkTextureObject*>{
-         this->Scalars.GetTexture(), this->Mask, this->Extinction, this->Color, this->ColorIntegral,
-         this->Points, this->GradientOpacityTexture, this->Gradients.GetTexture() })
+  for (vtkTextureObject* texture :
+    std::initializer_list<vtkTextureObject*>{ this->Scalars.GetTexture(), this->Mask,
+      this->Extinction, this->Color, this->ColorIntegral, this->Points,
+      this->GradientOpacityTexture, this->Gradients.GetTexture(), this->EmptySpace.GetTexture() })
   {
     if (texture->GetHandle())
     {
@@ -298,6 +377,7 @@ void VolumeTextures::SetUniforms(
   SetSampler(program, "scene_points", this->Points);
   SetSampler(program, "scene_gradientOpacity", this->GradientOpacityTexture);
   SetSampler(program, "scene_gradients", this->Gradients.GetTexture());
+  this->EmptySpace.SetUniforms(program);
   SetUniform(program, "scene_gradientScale", this->Gradients.GetScale() / encoding.Scale);
   if (this->Extinction->GetHandle())
   {
@@ -346,6 +426,7 @@ void VolumeTextures::Release(vtkOpenGLRenderWindow* window)
 {
   this->Scalars.Release(window);
   this->Gradients.Release(window);
+  this->EmptySpace.Release(window);
   for (vtkTextureObject* texture : { this->Mask.Get(), this->Extinction.Get(), this->Color.Get(),
          this->ColorIntegral.Get(), this->Points.Get(), this->GradientOpacityTexture.Get() })
   {

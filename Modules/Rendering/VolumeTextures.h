@@ -6,6 +6,7 @@
 #ifndef VolumeTextures_h
 #define VolumeTextures_h
 
+#include "EmptySpaceTexture.h"
 #include "GradientTexture.h"
 #include "ScalarTexture.h"
 #include "TransferFunctionTable.h"
@@ -41,6 +42,10 @@ public:
   /// where bits is 0. False where the graphics card cannot hold them.
   bool UpdateGradients(vtkOpenGLRenderWindow* window, GradientEstimator estimator, int bits);
 
+  /// Finds bricks without visible matter. Returns whether leaping over them helps.
+  bool UpdateEmptySpace(vtkOpenGLRenderWindow* window, const CroppedRegions& regions);
+  void DropEmptySpace(vtkOpenGLRenderWindow* window);
+
   bool HasNonFiniteScalars() const { return !this->Scalars.GetRange().AllFinite; }
   bool HasMask() const { return this->LoadedMask != nullptr; }
   bool AreTransferFunctionsAccurate() const { return this->Table.Accurate; }
@@ -48,6 +53,7 @@ public:
   bool AreTransferFunctionsSteep() const { return this->Table.Steep; }
   /// Halvings that a search among the points takes; 0 for a table.
   int GetLookupIterations() const;
+  const EmptySpaceReport& GetEmptySpaceReport() const { return this->EmptySpace.GetReport(); }
   const GradientTextureReport& GetGradientReport() const { return this->Gradients.GetReport(); }
   /// Scalar units where the scalar texture holds 1.
   double GetScalarUnit() const { return this->Scalars.GetEncoding().Scale; }
@@ -63,6 +69,7 @@ public:
 
 private:
   void LoadTable(vtkOpenGLRenderWindow* window);
+  void LoadColor();
   void LoadPoints(vtkOpenGLRenderWindow* window);
   void LoadGradientOpacity(
     vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, GradientEstimator estimator);
@@ -76,6 +83,9 @@ private:
   std::array<int, 3> LoadedDimensions{};
   bool IntegerData = false;
   GradientTexture Gradients;
+  EmptySpaceTexture EmptySpace;
+  vtkTimeStamp EmptySpaceTime;
+  CroppedRegions LoadedRegions;
   double Noise = 0.0;
   vtkTimeStamp NoiseTime;
 

@@ -137,6 +137,24 @@ double vtkIlluminatedVolumeMapper::GetGradientTextureAngularError() const
 }
 
 //------------------------------------------------------------------------------
+int vtkIlluminatedVolumeMapper::GetNumberOfBricks() const
+{
+  return this->Internal->Drawing.GetTextures().GetEmptySpaceReport().Bricks;
+}
+
+//------------------------------------------------------------------------------
+int vtkIlluminatedVolumeMapper::GetNumberOfOccupiedBricks() const
+{
+  return this->Internal->Drawing.GetTextures().GetEmptySpaceReport().OccupiedBricks;
+}
+
+//------------------------------------------------------------------------------
+int vtkIlluminatedVolumeMapper::GetBrickEdge() const
+{
+  return this->Internal->Drawing.GetTextures().GetEmptySpaceReport().BrickEdge;
+}
+
+//------------------------------------------------------------------------------
 const std::string& vtkIlluminatedVolumeMapper::GetFragmentShaderSource() const
 {
   return this->Internal->Drawing.GetPass()->GetFragmentSource();
@@ -390,6 +408,7 @@ void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeP
   lighted.Gradient = static_cast<penumbra::GradientEstimator>(this->GradientEstimator);
   lighted.EnvironmentMap = this->PrepareEnvironment(this->Internal->Window, property);
   lighted.GradientTexture = this->GradientTextureBits > 0;
+  lighted.EmptySpace = this->PrepareEmptySpace();
   scene.Requirements = ComputeLightingRequirements(lighted);
   if (left > 0 && scene.Requirements.IsShaded())
   {
@@ -446,6 +465,32 @@ void vtkIlluminatedVolumeMapper::PrepareGradients(vtkOpenGLRenderWindow* window)
     needs.GradientTexture = false;
     this->Say("The graphics card cannot hold the gradients; they are estimated at each sample.");
   }
+}
+
+//------------------------------------------------------------------------------
+// Whether there is enough of it to leap over.
+bool vtkIlluminatedVolumeMapper::PrepareEmptySpace()
+{
+  VolumeTextures& textures = this->Internal->Drawing.GetTextures();
+  if (!this->SkipEmptySpace)
+  {
+    textures.DropEmptySpace(this->Internal->Window);
+    return false;
+  }
+  const DrawnScene& scene = this->Internal->Scene;
+  CroppedRegions regions;
+  regions.On = this->Cropping && scene.CroppingFlags != VTK_CROP_SUBVOLUME;
+  if (regions.On)
+  {
+    regions.Flags = scene.CroppingFlags;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double voxels = scene.Placement.Dimensions[axis];
+      regions.Low[axis] = scene.CroppingLow[axis] * voxels - 0.5;
+      regions.High[axis] = scene.CroppingHigh[axis] * voxels - 0.5;
+    }
+  }
+  return textures.UpdateEmptySpace(this->Internal->Window, regions);
 }
 
 //------------------------------------------------------------------------------
@@ -536,6 +581,9 @@ void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GradientEstimator: " << this->GradientEstimator << "\n";
   os << indent << "GradientTextureBits: " << this->GradientTextureBits << "\n";
   os << indent << "GradientTextureBytes: " << this->GetGradientTextureBytes() << "\n";
+  os << indent << "SkipEmptySpace: " << this->SkipEmptySpace << "\n";
+  os << indent << "NumberOfBricks: " << this->GetNumberOfBricks() << "\n";
+  os << indent << "NumberOfOccupiedBricks: " << this->GetNumberOfOccupiedBricks() << "\n";
   os << indent << "OpticalModel: " << this->OpticalModel << "\n";
   os << indent << "ActualSampleDistance: " << this->GetActualSampleDistance() << "\n";
   os << indent << "ActualShadowSampleDistance: " << this->GetActualShadowSampleDistance() << "\n";

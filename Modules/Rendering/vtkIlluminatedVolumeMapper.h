@@ -143,6 +143,27 @@ public:
 
   ///@{
   /**
+   * Whether rays leap over bricks of the volume without visible matter. The picture is the same: no
+   * sample that is left moves. It is left out by itself where too little is empty for it to help.
+   * Default: on.
+   */
+  vtkSetMacro(SkipEmptySpace, bool);
+  vtkGetMacro(SkipEmptySpace, bool);
+  vtkBooleanMacro(SkipEmptySpace, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Bricks that the last Render() cut the volume into, cubes of BrickEdge cells, and how many of
+   * them may hold visible matter. 0 where SkipEmptySpace is off.
+   */
+  int GetNumberOfBricks() const;
+  int GetNumberOfOccupiedBricks() const;
+  int GetBrickEdge() const;
+  ///@}
+
+  ///@{
+  /**
    * What keeping gradients costs: bytes of the texture, largest error of a component in scalar
    * units per voxel, and mean error of the direction in degrees, weighted by the gradient's
    * magnitude. 0 where the last Render() kept none.
@@ -228,6 +249,7 @@ protected:
   void PrepareMaterial(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
   bool PrepareEnvironment(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
   void PrepareGradients(vtkOpenGLRenderWindow* window);
+  bool PrepareEmptySpace();
   void PrepareNoiseFading(vtkVolumeProperty* property);
   void PlanDraws();
   void Draw(vtkRenderer* renderer);
@@ -239,6 +261,7 @@ protected:
   int GradientEstimator = CentralDifferences;
   int GradientTextureBits = 0;
   int OpticalModel = ByShade;
+  bool SkipEmptySpace = true;
 
 private:
   vtkIlluminatedVolumeMapper(const vtkIlluminatedVolumeMapper&) = delete;

@@ -32,6 +32,7 @@ const std::vector<Change> changes = {
   [](LightingRequirements& r) { r.Mask = true; },
   [](LightingRequirements& r) { r.Opacity = TransferFunctionLookup::Points; },
   [](LightingRequirements& r) { r.PreIntegrated = true; },
+  [](LightingRequirements& r) { r.EmptySpaceSkipping = true; },
 };
 
 vtkSmartPointer<vtkPiecewiseFunction> MakeGradientOpacity()
@@ -48,16 +49,16 @@ TEST_CASE("Requirements are equal when every field is, and differ when any does"
   // A new field does not compile here, so that it cannot be forgotten above.
   const LightingRequirements base;
   const auto& [optics, lights, technique, reflection, gradient, gradientTexture, fading, diffuse,
-    specular, sides, attenuation, gradientOpacity, planes, cropping, mask, opacity, preIntegrated] =
-    base;
+    specular, sides, attenuation, gradientOpacity, planes, cropping, mask, opacity, preIntegrated,
+    emptySpace] = base;
   CHECK_FALSE((diffuse || specular || sides || attenuation || gradientOpacity || mask));
-  CHECK_FALSE((gradientTexture || fading || preIntegrated));
+  CHECK_FALSE((gradientTexture || fading || preIntegrated || emptySpace));
   CHECK(optics == OpticalModel::AbsorptionEmission);
   CHECK(
     (planes == 0 && cropping == CroppingKind::None && opacity == TransferFunctionLookup::Table));
   CHECK((lights == decltype(base.Lights){} && static_cast<int>(technique) == 0 &&
     static_cast<int>(reflection) == 0 && static_cast<int>(gradient) == 0));
-  CHECK(changes.size() == 17);
+  CHECK(changes.size() == 18);
 
   for (const Change& change : changes)
   {
@@ -93,6 +94,8 @@ TEST_CASE("Each field of the scene changes exactly its own requirement")
   with.scene.Gradient = expected.Gradient = GradientEstimator::Sobel;
   CHECK(with.Requirements() == expected);
   with.scene.GradientTexture = expected.GradientTexture = true;
+  CHECK(with.Requirements() == expected);
+  with.scene.EmptySpace = expected.EmptySpaceSkipping = true;
   CHECK(with.Requirements() == expected);
   with.property->SetGradientOpacity(MakeGradientOpacity());
   expected.GradientOpacity = true;

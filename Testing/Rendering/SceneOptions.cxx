@@ -9,11 +9,24 @@
 #include <vtkPointData.h>
 #include <vtkVolumeMaterial.h>
 
+#include <algorithm>
+
 namespace penumbra
 {
 namespace
 {
-const VolumeGrid grid = { { 12, 12, 12 } };
+const VolumeGrid grid = { { 12, 12, 24 } };
+const Point ballCenter = { 5.5, 5.5, 5.5 };
+
+vtkSmartPointer<vtkImageData> MakeBallBeforeEmptySpace()
+{
+  return SampleField(grid,
+    [](const Point& position)
+    {
+      const double depth = 5.0 - Distance(position, ballCenter);
+      return 255.0 * std::clamp(depth / 4.0 + 0.5, 0.0, 1.0);
+    });
+}
 
 void SetLights(IlluminatedScene& scene, const SceneOptions& options)
 {
@@ -123,6 +136,7 @@ LightingRequirements SceneOptions::Expected() const
   needs.Opacity = this->opacity;
   needs.PreIntegrated = this->steep && this->opacity == TransferFunctionLookup::Table &&
     !this->mask && this->cropping != CroppingKind::Regions;
+  needs.EmptySpaceSkipping = this->emptySpace;
   needs.Optics = this->optics;
   if (needs.IsShaded())
   {
@@ -161,7 +175,8 @@ void SceneOptions::ExpectReflection(LightingRequirements& needs) const
 //------------------------------------------------------------------------------
 std::unique_ptr<IlluminatedScene> MakeScene()
 {
-  auto scene = std::make_unique<IlluminatedScene>(MakeBall(grid, 5.0, 4.0), 32, 32);
+  auto scene = std::make_unique<IlluminatedScene>(MakeBallBeforeEmptySpace(), 32, 32);
+  scene->LookFrom(0.4, 0.3, 0.85, 36.0, ballCenter.data());
   vtkNew<vtkVolumeMaterial> material;
   material->DeepCopy(scene->Volume->GetProperty());
   material->SetScalarOpacity(scene->Opacity);
@@ -175,6 +190,7 @@ void SetOptions(IlluminatedScene& scene, const SceneOptions& options)
 {
   SetMaterial(vtkVolumeMaterial::SafeDownCast(scene.Volume->GetProperty()), options);
   SetOptics(scene, options.optics);
+  scene.Mapper->SetSkipEmptySpace(options.emptySpace);
   scene.Mapper->SetGradientEstimator(static_cast<int>(options.gradient));
   scene.Mapper->SetGradientTextureBits(options.gradientTexture ? 8 : 0);
   vtkVolumeProperty* property = scene.Volume->GetProperty();

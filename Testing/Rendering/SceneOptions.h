@@ -32,6 +32,8 @@ struct SceneOptions
   TransferFunctionLookup opacity = TransferFunctionLookup::Points;
   /// Of a table: it jumps within a hundredth of the data's range.
   bool steep = false;
+  /// Half of the volume is empty.
+  bool emptySpace = true;
   /// Draws to a buffer of its own first.
   bool gathering = true;
 
@@ -42,7 +44,7 @@ private:
   void ExpectReflection(LightingRequirements& needs) const;
 };
 
-/// A ball of 12^3 voxels on 32 x 32 pixels.
+/// A ball of 12^3 voxels, with as much empty space behind it, on 32 x 32 pixels.
 std::unique_ptr<IlluminatedScene> MakeScene();
 
 /// Makes a scene of MakeScene() the one of these options, whatever it was before.

@@ -20,7 +20,7 @@ double CountIterationsPerStep(const MarchingTask& task, double shadowSampleDista
   const double shadowSteps = std::ceil(task.Diagonal / shadowSampleDistance) + 1.0;
   const double shadowRay =
     task.ClippingPlanes + std::ceil(shadowSteps / 4.0) * (1.0 + 4.0 * task.LookupIterations);
-  return 2.0 + 2.0 * task.LookupIterations + task.Lights + task.ShadowedLights * shadowRay;
+  return 3.0 + 2.0 * task.LookupIterations + task.Lights + task.ShadowedLights * shadowRay;
 }
 
 MarchingTask MakeTask(double diagonal, double sampleDistance, double shadowSampleDistance)

@@ -31,6 +31,7 @@ void RemoveLights(SceneOptions& options, ShadowKind shadow)
 }
 
 const std::vector<Omission> Omissions = {
+  { { "empty-space skipping" }, [](SceneOptions& options) { options.emptySpace = false; } },
   { { "gradient opacity" }, [](SceneOptions& options) { options.gradientOpacity = false; } },
   { { "clipping planes" }, [](SceneOptions& options) { options.clippingPlanes = 0; } },
   { { "cropping" }, [](SceneOptions& options) { options.cropping = CroppingKind::None; } },

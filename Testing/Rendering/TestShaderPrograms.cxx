@@ -17,7 +17,7 @@ constexpr int LightOptions = NumberOfLightKinds * NumberOfShadowKinds;
 std::vector<int> GetLitLevels()
 {
   std::vector<int> levels(LightOptions, 3);
-  levels.insert(levels.end(), { 3, 2, 2, 6, 4, 2, 2, 2, 3, 3, 2, 3, 2 });
+  levels.insert(levels.end(), { 3, 2, 2, 6, 4, 2, 2, 2, 3, 3, 2, 3, 2, 2 });
   return levels;
 }
 
@@ -32,6 +32,7 @@ void SetMatter(SceneOptions& options, const int* values)
   options.steep = values[4] == 2;
   options.opacity = values[4] == 1 ? TransferFunctionLookup::Points : TransferFunctionLookup::Table;
   options.gathering = values[5] != 0;
+  options.emptySpace = values[6] != 0;
 }
 
 void SetGradient(SceneOptions& options, const int* values)
@@ -139,7 +140,7 @@ TEST_CASE("Every pair of requirements is in a combination")
   {
     CHECK(ShowsAllOptions(combination));
   }
-  // All combinations would be 5 billion.
+  // All combinations would be 10 billion.
   CHECK(combinations.size() < 60);
 }
 
@@ -154,7 +155,7 @@ TEST_CASE("Programs of every pair of requirements compile and draw")
 TEST_CASE("Programs without lights compile and draw with every pair of what hides matter")
 {
   const auto all = [](const Combination&) { return true; };
-  for (const Combination& combination : MakeCoveringSet({ 4, 2, 3, 3, 2, 3, 2 }, all))
+  for (const Combination& combination : MakeCoveringSet({ 4, 2, 3, 3, 2, 3, 2, 2 }, all))
   {
     CheckProgram(MakeUnlitOptions(combination));
   }
@@ -163,7 +164,7 @@ TEST_CASE("Programs without lights compile and draw with every pair of what hide
 TEST_CASE("Programs of reflection maps compile and draw with every pair of what else is needed")
 {
   const auto all = [](const Combination&) { return true; };
-  for (const Combination& combination : MakeCoveringSet({ 3, 4, 2, 2, 2, 3, 3, 2, 3, 2 }, all))
+  for (const Combination& combination : MakeCoveringSet({ 3, 4, 2, 2, 2, 3, 3, 2, 3, 2, 2 }, all))
   {
     CheckProgram(MakeMirroringOptions(combination));
   }

@@ -11,11 +11,6 @@ namespace penumbra
 {
 namespace
 {
-double Distance(const Point& a, const Point& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 double Mix(const VolumeValues& values, double insideShare)
 {
   return values.outside + (values.inside - values.outside) * insideShare;
@@ -54,6 +49,11 @@ double VolumeGrid::InnerRadius() const
   return std::min(
            { last[0] - this->origin[0], last[1] - this->origin[1], last[2] - this->origin[2] }) /
     2;
+}
+
+double Distance(const Point& a, const Point& b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 vtkSmartPointer<vtkImageData> SampleField(const VolumeGrid& grid, const ScalarField& field)

@@ -19,6 +19,8 @@ namespace penumbra
 {
 using Point = std::array<double, 3>;
 
+double Distance(const Point& a, const Point& b);
+
 struct VolumeGrid
 {
   std::array<int, 3> dimensions = { 32, 32, 32 };

@@ -20,3 +20,9 @@ RayEnd rayEndAt(vec3 position)
   float beyond = coordinate - clamp(coordinate, scene_tableEnds.x, scene_tableEnds.y);
   return RayEnd(coordinate, entry.r, entry.g + entry.r * beyond);
 }
+
+RayEnd rayEndAfterLeap(RayEnd before, int leap, vec3 position)
+{
+  RayEnd after = rayEndAt(position);
+  return leap > 0 ? after : before;
+}

@@ -16,6 +16,11 @@ RayEnd rayEndAt(vec3 position)
   return RayEnd(0.0);
 }
 
+RayEnd rayEndAfterLeap(RayEnd before, int leap, vec3 position)
+{
+  return before;
+}
+
 float segmentDepth(
   inout RayEnd end, inout vec3 position, vec3 direction, float stepLength, out SegmentMatter matter)
 {

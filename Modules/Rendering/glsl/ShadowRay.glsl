@@ -4,26 +4,43 @@
 
 uniform float scene_shadowSampleDistance;
 
-float shadowStepDepth(inout RayEnd rayEnd, vec3 position, vec3 direction, float begin, float end)
+// No ray has more: steps are made longer before.
+const float MostShadowSteps = 1e6;
+
+// A step's middle, and its length in w.
+vec4 shadowStep(vec3 entry, vec3 direction, int step, float rayLength)
 {
-  float stepLength = clamp(end - begin, 0.0, scene_shadowSampleDistance);
-  vec3 middle = position + direction * (begin + 0.5 * stepLength);
+  float begin = float(step) * scene_shadowSampleDistance;
+  float stepLength = clamp(rayLength - begin, 0.0, scene_shadowSampleDistance);
+  return vec4(entry + direction * (begin + 0.5 * stepLength), stepLength);
+}
+
+float shadowStepDepth(inout RayEnd rayEnd, vec3 direction, vec4 step)
+{
+  vec3 middle = step.xyz;
   SegmentMatter matter;
-  return segmentDepth(rayEnd, middle, direction, stepLength, matter);
+  return segmentDepth(rayEnd, middle, direction, step.w, matter);
 }
 
 float opticalDepth(vec3 position, vec3 direction, float begin, float end, float enough)
 {
   vec2 visible = keptByPlanes(insideBox(position, direction), position, direction);
-  float last = min(end, visible.y);
+  float rayLength = min(end, visible.y) - begin;
+  vec3 entry = position + direction * begin;
+  int last = int(clamp(ceil(rayLength / scene_shadowSampleDistance), 0.0, MostShadowSteps));
+  vec3 segment = direction * scene_shadowSampleDistance;
   float depth = 0.0;
-  RayEnd rayEnd = rayEndAt(position + direction * begin);
-  for (float at = begin; at < last && depth <= enough; at += 4.0 * scene_shadowSampleDistance)
+  RayEnd rayEnd = rayEndAt(entry);
+  for (int step = 0; step < last && depth <= enough;)
   {
-    depth += shadowStepDepth(rayEnd, position, direction, at, last);
-    depth += shadowStepDepth(rayEnd, position, direction, at + scene_shadowSampleDistance, last);
-    depth += shadowStepDepth(rayEnd, position, direction, at + 2.0 * scene_shadowSampleDistance, last);
-    depth += shadowStepDepth(rayEnd, position, direction, at + 3.0 * scene_shadowSampleDistance, last);
+    depth += shadowStepDepth(rayEnd, direction, shadowStep(entry, direction, step, rayLength));
+    depth += shadowStepDepth(rayEnd, direction, shadowStep(entry, direction, step + 1, rayLength));
+    depth += shadowStepDepth(rayEnd, direction, shadowStep(entry, direction, step + 2, rayLength));
+    depth += shadowStepDepth(rayEnd, direction, shadowStep(entry, direction, step + 3, rayLength));
+    step += 4;
+    int leap = emptySteps(shadowStep(entry, direction, step, rayLength).xyz, segment);
+    step += leap;
+    rayEnd = rayEndAfterLeap(rayEnd, leap, entry + float(step) * segment);
   }
   return depth;
 }

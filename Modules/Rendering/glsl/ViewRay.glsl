@@ -14,9 +14,6 @@ uniform int scene_firstStep;            // the part of the ray that this draw ma
 uniform int scene_lastStep;
 
 const float NoOpaqueGeometry = 1e30;
-// What can still be added to a pixel is below a tenth of a grey level of 255.
-const float OpaqueEnough = 0.9997;
-
 float opaqueGeometryAt(vec2 image, vec3 base, vec3 direction)
 {
   float depth = texture(in_depthSampler, 0.5 * image + 0.5).r;
@@ -46,29 +43,6 @@ void main()
   float steps = ceil((inside.y - inside.x) / scene_sampleDistance - 1e-4);
   int last = int(clamp(steps, 0.0, float(scene_lastStep)));
 
-  vec4 accumulated = accumulatedBefore();
-  int index = scene_firstStep;
-  RayEnd rayEnd = rayEndAt(base + direction * (inside.x + float(index) * scene_sampleDistance));
-  while (index < last && accumulated.a < OpaqueEnough)
-  {
-    // Shading is dear: march on to the next sample that has any matter first.
-    vec3 position;
-    float stepLength;
-    SegmentMatter matter;
-    float depth = 0.0;
-    for (; index < last && depth <= 0.0; ++index)
-    {
-      float begin = inside.x + float(index) * scene_sampleDistance;
-      stepLength = min(scene_sampleDistance, inside.y - begin);
-      position = base + direction * (begin + 0.5 * stepLength);
-      depth = segmentDepth(rayEnd, position, direction, stepLength, matter);
-    }
-    float weight = compositingWeight(accumulated, depth);
-    if (weight > 0.0)
-    {
-      vec3 color = segmentColor(matter, position, direction * stepLength);
-      accumulated += weight * vec4(shadedColor(position, color, view), CompositedAlpha);
-    }
-  }
-  gl_FragData[0] = accumulated;
+  ViewRay ray = ViewRay(base + direction * inside.x, direction, inside.y - inside.x, view);
+  gl_FragData[0] = completed(march(ray, scene_firstStep, last, accumulatedBefore()));
 }

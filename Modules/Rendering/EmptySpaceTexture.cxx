@@ -1,0 +1,99 @@
+#include "EmptySpaceTexture.h"
+
+#include "MatrixUniforms.h"
+#include "VisibleScalars.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace penumbra
+{
+namespace
+{
+constexpr int BrickEdge = 4;
+// The map of a large volume stays small beside it, and is made within a tenth of a second.
+constexpr int LargestNumberOfBricks = 600000;
+
+BrickGrid ChooseGrid(const std::array<int, 3>& dimensions)
+{
+  BrickGrid grid = MakeBrickGrid(dimensions, BrickEdge);
+  while (grid.GetNumberOfBricks() > LargestNumberOfBricks)
+  {
+    grid = MakeBrickGrid(dimensions, 2 * grid.Edge);
+  }
+  return grid;
+}
+}
+
+//------------------------------------------------------------------------------
+bool EmptySpaceReport::Helps() const
+{
+  constexpr double leastShare = 0.1;
+  return this->Bricks - this->OccupiedBricks > leastShare * this->Bricks;
+}
+
+//------------------------------------------------------------------------------
+void EmptySpaceTexture::ForgetScalars()
+{
+  this->Bricks = {};
+}
+
+//------------------------------------------------------------------------------
+void EmptySpaceTexture::ComputeBricks(
+  vtkDataArray* scalars, const std::array<int, 3>& dimensions, const ScalarRange& range)
+{
+  this->Bricks = ComputeScalarBricks(scalars, ChooseGrid(dimensions), range);
+}
+
+//------------------------------------------------------------------------------
+void EmptySpaceTexture::Load(
+  vtkOpenGLRenderWindow* window, const VisibleScalars& visible, const BrickVisibility& visibility)
+{
+  const BrickGrid& grid = this->Bricks.Grid;
+  const std::vector<unsigned char> occupied = FindOccupiedBricks(this->Bricks, visible, visibility);
+  const auto count = std::count(occupied.begin(), occupied.end(), 1);
+  this->Report = { grid.Edge, grid.GetNumberOfBricks(), static_cast<int>(count) };
+  std::vector<unsigned char> cubes = ComputeEmptyCubes(occupied, grid);
+  constexpr int octants = 8;
+  this->Texture->SetContext(window);
+  this->Texture->ResetFormatAndType();
+  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->Texture->Create3DFromRaw(
+    grid.Counts[0], grid.Counts[1], octants * grid.Counts[2], 1, VTK_UNSIGNED_CHAR, cubes.data());
+}
+
+//------------------------------------------------------------------------------
+void EmptySpaceTexture::SetUniforms(vtkShaderProgram* program) const
+{
+  SetSampler(program, "scene_emptyCubes", this->Texture);
+  const BrickGrid& grid = this->Bricks.Grid;
+  Vector3 scale{};
+  Vector3 offset{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // A single voxel lies in the middle of the only brick, wherever a ray passes it.
+    const bool isFlat = grid.Dimensions[axis] <= 1;
+    scale[axis] = isFlat ? 0.0 : static_cast<double>(grid.Dimensions[axis]) / grid.Edge;
+    offset[axis] = isFlat ? 0.5 : -0.5 / grid.Edge;
+  }
+  SetUniform(program, "scene_bricks", scale);
+  SetUniform(program, "scene_lastBrick",
+    Vector3{ grid.Counts[0] - 1.0, grid.Counts[1] - 1.0, grid.Counts[2] - 1.0 });
+  SetUniform(program, "scene_brickOffset", offset);
+}
+
+//------------------------------------------------------------------------------
+void EmptySpaceTexture::Release(vtkOpenGLRenderWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Report = {};
+}
+
+}

@@ -1,0 +1,63 @@
+/**
+ * @file    EmptySpaceTexture.h
+ * @brief   the empty cubes of bricks as a small 3D texture, for rays that leap
+ *
+ * The bricks' ranges are computed once per volume; occupancy and cubes when what is visible
+ * changes. Clipping planes and a cropping box need no bricks: rays are cut there.
+ */
+
+#ifndef EmptySpaceTexture_h
+#define EmptySpaceTexture_h
+
+#include "EmptySpace.h"
+#include "ScalarBricks.h"
+#include "ScalarTexture.h"
+
+#include "vtkNew.h"
+#include "vtkTextureObject.h"
+
+class vtkDataArray;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace penumbra
+{
+
+/// What leaping works with.
+struct EmptySpaceReport
+{
+  int BrickEdge = 0;
+  int Bricks = 0;
+  int OccupiedBricks = 0;
+
+  /// Whether rays have enough to leap over to make up for the look-ups.
+  bool Helps() const;
+};
+
+class EmptySpaceTexture
+{
+public:
+  /// The volume has changed: its ranges are computed when they are next needed.
+  void ForgetScalars();
+  bool HasBricks() const { return !this->Bricks.Low.empty(); }
+  void ComputeBricks(
+    vtkDataArray* scalars, const std::array<int, 3>& dimensions, const ScalarRange& range);
+  const BrickGrid& GetGrid() const { return this->Bricks.Grid; }
+  /// Finds what is occupied and loads the cubes.
+  void Load(vtkOpenGLRenderWindow* window, const VisibleScalars& visible,
+    const BrickVisibility& visibility);
+  const EmptySpaceReport& GetReport() const { return this->Report; }
+
+  vtkTextureObject* GetTexture() const { return this->Texture; }
+  void SetUniforms(vtkShaderProgram* program) const;
+  void Release(vtkOpenGLRenderWindow* window);
+
+private:
+  vtkNew<vtkTextureObject> Texture;
+  ScalarBricks Bricks;
+  EmptySpaceReport Report;
+};
+
+}
+
+#endif

@@ -1,0 +1,98 @@
+#include "VisibleScalars.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace penumbra
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+using IntervalList = std::vector<std::array<double, 2>>;
+
+// Values at ascending scalars, interpolated linearly, constant beyond both ends.
+template <typename Scalar, typename Value>
+void AddIntervals(
+  int count, const Scalar& getScalar, const Value& getValue, IntervalList& intervals)
+{
+  for (int entry = 0; entry < count; ++entry)
+  {
+    if (getValue(entry) > 0.0)
+    {
+      const double low = entry > 0 ? getScalar(entry - 1) : -Infinity;
+      const double high = entry + 1 < count ? getScalar(entry + 1) : Infinity;
+      intervals.push_back({ low, high });
+    }
+  }
+}
+
+IntervalList Unite(IntervalList intervals)
+{
+  std::sort(intervals.begin(), intervals.end());
+  IntervalList united;
+  for (const auto& interval : intervals)
+  {
+    if (united.empty() || interval[0] > united.back()[1])
+    {
+      united.push_back(interval);
+    }
+    united.back()[1] = std::max(united.back()[1], interval[1]);
+  }
+  return united;
+}
+}
+
+//------------------------------------------------------------------------------
+VisibleScalars::VisibleScalars(const TransferFunctionTable& table)
+{
+  IntervalList intervals;
+  if (table.Lookup == TransferFunctionLookup::Table || table.Steep)
+  {
+    const double step = (table.High - table.Low) / std::max(1, table.GetSize() - 1);
+    const auto isVisible = [&](int entry)
+    {
+      const bool grows = table.Steep &&
+        table.ExtinctionIntegral[std::min(entry + 1, table.GetSize() - 1)] >
+          table.ExtinctionIntegral[std::max(entry - 1, 0)];
+      return table.Extinction[entry] > 0.0f || grows ? 1.0 : 0.0;
+    };
+    AddIntervals(
+      table.GetSize(), [&](int entry) { return table.Low + entry * step; }, isVisible, intervals);
+  }
+  if (table.Lookup == TransferFunctionLookup::Points)
+  {
+    AddIntervals(
+      table.GetNumberOfPoints(), [&](int point) { return table.Low + table.PointScalars[point]; },
+      [&](int point) { return table.PointColors[4 * point + 3]; }, intervals);
+  }
+  this->Intervals = Unite(std::move(intervals));
+}
+
+//------------------------------------------------------------------------------
+bool VisibleScalars::AnyBetween(double low, double high) const
+{
+  const auto next = std::lower_bound(this->Intervals.begin(), this->Intervals.end(), low,
+    [](const std::array<double, 2>& interval, double scalar) { return interval[1] < scalar; });
+  return next != this->Intervals.end() && (*next)[0] <= high;
+}
+
+//------------------------------------------------------------------------------
+double FindLeastVisibleGradient(const GradientOpacityTable& table)
+{
+  const auto first = std::find_if(
+    table.Opacity.begin(), table.Opacity.end(), [](float opacity) { return opacity > 0.0f; });
+  if (first == table.Opacity.end())
+  {
+    return Infinity;
+  }
+  if (first == table.Opacity.begin())
+  {
+    return 0.0;
+  }
+  const double root = static_cast<double>(first - table.Opacity.begin() - 1) /
+    static_cast<double>(table.Opacity.size() - 1);
+  return table.Low + root * root * (table.High - table.Low);
+}
+
+}
