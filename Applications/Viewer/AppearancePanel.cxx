@@ -32,7 +32,7 @@ AppearancePanel::AppearancePanel(SceneDocument* document, VolumeView* view, QWid
   area->setWidget(material);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
-  area->setMinimumHeight(120);
+  area->setMinimumHeight(90);
   splitter->addWidget(area);
   splitter->setStretchFactor(2, 1);
   column->addWidget(splitter);

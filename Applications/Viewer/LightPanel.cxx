@@ -227,6 +227,18 @@ void LightPanel::TurnSelected(const Vector3& toLight)
 }
 
 //------------------------------------------------------------------------------
+void LightPanel::AimSelected(const Vector3& target)
+{
+  if (HasSelectedLight(this->Document))
+  {
+    const int light = this->Document->GetSelectedLight();
+    this->Document->Edit(tr("aim of a light"),
+      [&](SceneDescription& scene)
+      { AimLight(scene.Lights[light], this->View->GetFrame(), target); });
+  }
+}
+
+//------------------------------------------------------------------------------
 void LightPanel::SwitchLight(QListWidgetItem* item)
 {
   const int light = this->List->row(item);

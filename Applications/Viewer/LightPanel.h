@@ -38,6 +38,9 @@ public:
   QAction* GetResetAction() const { return this->ResetAction; }
   ///@}
 
+  /// Lets the selected light shine at a point of the world.
+  void AimSelected(const Vector3& target);
+
 private:
   void MakeActions();
   QWidget* MakeButtons();

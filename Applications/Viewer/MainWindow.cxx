@@ -1,10 +1,13 @@
 #include "MainWindow.h"
 
+#include "AboutDialog.h"
 #include "AppearancePanel.h"
+#include "ClippingForm.h"
 #include "FileActions.h"
 #include "InformationPanel.h"
 #include "LightPanel.h"
 #include "MessageBar.h"
+#include "PictureActions.h"
 #include "PipelineTree.h"
 #include "PropertyForm.h"
 #include "RawImportDialog.h"
@@ -59,6 +62,7 @@ MainWindow::MainWindow(const std::filesystem::path& dicomParser, QWidget* parent
   , View(new VolumeView(this->Document, this))
   , Recent(new RecentFiles(this))
   , Files(new FileActions(this, this->Recent))
+  , Pictures(new PictureActions(this))
 {
   this->setAcceptDrops(true);
   this->MakeMiddle();
@@ -120,6 +124,7 @@ void MainWindow::MakePanels()
     this->AddPanel(tr("Appearance"), "appearanceDock", Qt::RightDockWidgetArea, this->Appearance);
   auto* const rendering = new PropertyForm(this->Document, this);
   FillRenderingForm(rendering, this->Document);
+  FillClippingForm(rendering, this->Document, this->View);
   this->RenderingDock = this->AddPanel(
     tr("Rendering"), "renderingDock", Qt::RightDockWidgetArea, MakeScrollable(rendering));
   rendering->Refresh();
@@ -138,9 +143,14 @@ void MainWindow::MakeMenus()
   QToolBar* bar = this->addToolBar(tr("Tools"));
   bar->setObjectName("toolBar");
   bar->setMovable(false);
-  this->Files->Fill(this->menuBar()->addMenu(tr("&File")), bar);
+  QMenu* file = this->menuBar()->addMenu(tr("&File"));
+  this->Files->Fill(file, bar);
   bar->addSeparator();
-  this->MakeEditMenu(this->menuBar()->addMenu(tr("&Edit")), bar);
+  QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
+  this->MakeEditMenu(edit, bar);
+  this->Pictures->Fill(file, edit);
+  file->addSeparator();
+  file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
   bar->addSeparator();
   QMenu* view = this->menuBar()->addMenu(tr("&View"));
   (new ViewActions(this->Document, this->View, this))->Fill(view, bar);
@@ -150,16 +160,23 @@ void MainWindow::MakeMenus()
     panels->addAction(dock->toggleViewAction());
   }
   QMenu* lights = this->menuBar()->addMenu(tr("&Lights"));
-  lights->setToolTipsVisible(true);
   QMenu* add = lights->addMenu(tr("&Add"));
   add->addActions(this->Lights->GetAddActions());
   lights->addAction(this->Lights->GetCopyAction());
   lights->addAction(this->Lights->GetRemoveAction());
   lights->addSeparator();
   QMenu* rigs = lights->addMenu(tr("R&igs"));
-  rigs->setToolTipsVisible(true);
   rigs->addActions(this->Lights->GetRigActions());
   lights->addAction(this->Lights->GetResetAction());
+  QMenu* help = this->menuBar()->addMenu(tr("&Help"));
+  help->addAction(
+    tr("Mouse and &keys"), this, [this] { ShowKeys(this); }, tr("F1"));
+  help->addAction(
+    tr("&About Penumbra"), this, [this] { ShowAbout(this, this->View->renderWindow()); });
+  for (QMenu* menu : this->menuBar()->findChildren<QMenu*>())
+  {
+    menu->setToolTipsVisible(true);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -194,6 +211,7 @@ void MainWindow::Connect()
   this->connect(this->Document, &SceneDocument::fileChanged, this, &MainWindow::ShowTitle);
   this->connect(
     this->Document->GetHistory(), &QUndoStack::cleanChanged, this, &MainWindow::ShowTitle);
+  this->connect(this->View, &VolumeView::aimed, this->Lights, &LightPanel::AimSelected);
   this->connect(this->View, &VolumeView::refined, this,
     [this](double seconds)
     { this->statusBar()->showMessage(tr("Drawn in %1 s").arg(seconds, 0, 'f', 2)); });

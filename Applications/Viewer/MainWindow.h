@@ -20,6 +20,7 @@ class FileActions;
 class InformationPanel;
 class LightPanel;
 class MessageBar;
+class PictureActions;
 class ReadingProgress;
 class RecentFiles;
 class SceneDocument;
@@ -60,6 +61,7 @@ public:
   VolumeView* GetView() { return this->View; }
   LightPanel* GetLightPanel() { return this->Lights; }
   AppearancePanel* GetAppearance() { return this->Appearance; }
+  PictureActions* GetPictures() { return this->Pictures; }
   MessageBar* GetMessageBar() { return this->Messages; }
 
 protected:
@@ -86,6 +88,7 @@ private:
   VolumeView* View;
   RecentFiles* Recent;
   FileActions* Files;
+  PictureActions* Pictures;
   StartPage* Page = nullptr;
   MessageBar* Messages = nullptr;
   ReadingProgress* Progress = nullptr;

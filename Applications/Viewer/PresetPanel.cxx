@@ -36,7 +36,7 @@ PresetPanel::PresetPanel(SceneDocument* document, VolumeView* view, QWidget* par
   this->List->setGridSize({ PresetThumbnails::Size + 12, PresetThumbnails::Size + 26 });
   this->List->setMovement(QListView::Static);
   this->List->setResizeMode(QListView::Adjust);
-  this->List->setMinimumHeight(2 * (PresetThumbnails::Size + 30));
+  this->List->setMinimumHeight(PresetThumbnails::Size + 34);
   column->addWidget(this->List);
   auto* const row = new QHBoxLayout;
   auto* const load = new QPushButton(tr("Load preset..."), this);

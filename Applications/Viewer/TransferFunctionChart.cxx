@@ -107,7 +107,7 @@ TransferFunctionChart::TransferFunctionChart(SceneDocument* document, QWidget* p
   this->setToolTip(
     tr("Click: new point. Drag: move it. Delete: remove it. Double click on a colour "
        "point: its colour. Drag with the right button: move and stretch all."));
-  this->setMinimumHeight(190);
+  this->setMinimumHeight(150);
   this->Window->SetMultiSamples(0);
   this->setRenderWindow(this->Window);
   this->Window->AddRenderer(this->Renderer);

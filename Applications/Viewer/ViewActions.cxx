@@ -2,6 +2,7 @@
 
 #include "SceneDocument.h"
 #include "Theme.h"
+#include "ViewDecorations.h"
 #include "VisibleView.h"
 #include "VolumeView.h"
 
@@ -74,6 +75,11 @@ void ViewActions::Fill(QMenu* menu, QToolBar* bar)
   parallel->setCheckable(true);
   parallel->setToolTip(tr("Without perspective: equal lengths look equal near and far"));
   this->connect(parallel, &QAction::triggered, this, &ViewActions::ToggleParallel);
+  this->AddToggle(menu, tr("&Orientation cube"),
+    tr("A cube that turns with the volume: L and R, A and P, S and I are the patient's sides"),
+    &ViewDecorations::ShowOrientation);
+  this->AddToggle(menu, tr("&Scale bar"), tr("A length at the distance that the camera looks at"),
+    &ViewDecorations::ShowScaleBar);
   menu->addSeparator();
   this->FillTheme(menu->addMenu(tr("&Theme")));
 }
@@ -116,6 +122,22 @@ void ViewActions::ToggleParallel(bool parallel)
     camera.ParallelScale = distance * std::tan(halfAngle);
   }
   this->View->SetCamera(camera);
+}
+
+//------------------------------------------------------------------------------
+void ViewActions::AddToggle(
+  QMenu* menu, const QString& text, const QString& tip, void (ViewDecorations::*show)(bool))
+{
+  QAction* action = menu->addAction(text);
+  action->setCheckable(true);
+  action->setChecked(true);
+  action->setToolTip(tip);
+  this->connect(action, &QAction::toggled, this,
+    [=](bool shown)
+    {
+      (this->View->GetDecorations()->*show)(shown);
+      this->View->ScheduleFrame();
+    });
 }
 
 //------------------------------------------------------------------------------

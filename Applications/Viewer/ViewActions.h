@@ -15,6 +15,7 @@ namespace penumbra
 {
 
 class SceneDocument;
+class ViewDecorations;
 class VolumeView;
 
 class ViewActions : public QObject
@@ -27,6 +28,8 @@ public:
 
 private:
   void FillDirections(QMenu* menu);
+  void AddToggle(
+    QMenu* menu, const QString& text, const QString& tip, void (ViewDecorations::*show)(bool));
   void FillTheme(QMenu* menu);
   void ToggleParallel(bool parallel);
 

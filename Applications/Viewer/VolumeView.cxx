@@ -4,8 +4,12 @@
 #include "SceneCamera.h"
 #include "SceneDocument.h"
 #include "SceneRendering.h"
+#include "SurfacePicking.h"
+#include "ViewDecorations.h"
+#include "VolumeFields.h"
 
 #include <QApplication>
+#include <QMouseEvent>
 
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
@@ -31,6 +35,9 @@ constexpr double FluidRate = 10.0;
 constexpr double AssumedSecondsOfFrame = 2.0;
 // Nothing moves when it has not for so long.
 constexpr int StillMilliseconds = 250;
+// Frames that take longer than this many seconds come only after a longer pause.
+constexpr double LongestQuickFrame = 1.0;
+constexpr int LongStillMilliseconds = 1000;
 }
 
 //------------------------------------------------------------------------------
@@ -53,9 +60,9 @@ VolumeView::VolumeView(SceneDocument* document, QWidget* parent)
   this->interactor()->EnableRenderOff();
   this->interactor()->AddObserver(vtkCommand::RenderEvent, this, &VolumeView::ScheduleFrame);
 
+  this->Decorations = std::make_unique<ViewDecorations>(this->interactor());
   this->FrameTimer.setSingleShot(true);
   this->RefineTimer.setSingleShot(true);
-  this->RefineTimer.setInterval(StillMilliseconds);
   this->connect(&this->FrameTimer, &QTimer::timeout, this, &VolumeView::DrawMoving);
   this->connect(&this->RefineTimer, &QTimer::timeout, this, &VolumeView::Refine);
   this->connect(document, &SceneDocument::opened, this, &VolumeView::ShowOpened);
@@ -66,6 +73,7 @@ VolumeView::VolumeView(SceneDocument* document, QWidget* parent)
 VolumeView::~VolumeView()
 {
   this->makeCurrent();
+  this->Decorations.reset();
   this->Window->GetRenderers()->RemoveAllItems();
   this->Rendering.reset();
 }
@@ -76,13 +84,24 @@ void VolumeView::ShowOpened()
   if (this->Rendering)
   {
     this->makeCurrent();
+    this->Decorations->Detach();
     this->Window->RemoveRenderer(this->Rendering->GetRenderer());
   }
   const SceneDescription& scene = this->Document->GetScene();
   this->Rendering = std::make_unique<SceneRendering>(scene, this->Document->GetVoxels());
   this->Renderer = scene.Renderer;
   this->Window->AddRenderer(this->Rendering->GetRenderer());
+  this->AttachDecorations();
   this->Quality.NoteFrame(AssumedSecondsOfFrame, 1);
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::AttachDecorations()
+{
+  vtkImageData* volume = this->Document->GetVoxels().Volume;
+  // Of what the readers tell, only DICOM's world is known to be a patient's.
+  const bool isPatient = !TextField(volume, "Modality").empty();
+  this->Decorations->Attach(this->Rendering->GetRenderer(), isPatient, isPatient ? "mm" : "");
 }
 
 //------------------------------------------------------------------------------
@@ -187,7 +206,7 @@ void VolumeView::DrawMoving()
   emit this->cameraMoved();
   if (distance > 1)
   {
-    this->RefineTimer.start();
+    this->RefineTimer.start(StillMilliseconds);
   }
 }
 
@@ -196,10 +215,50 @@ void VolumeView::Refine()
 {
   if (QApplication::mouseButtons() != Qt::NoButton)
   {
-    this->RefineTimer.start(); // what is held still may yet move
+    this->RefineTimer.start(StillMilliseconds); // what is held still may yet move
     return;
   }
-  this->Draw(1);
+  this->Draw(this->FindStillDistance());
+  if (!this->Refined)
+  {
+    this->RefineTimer.start(LongStillMilliseconds);
+  }
+}
+
+//------------------------------------------------------------------------------
+int VolumeView::FindStillDistance() const
+{
+  // Where a whole frame would hold the window up for long, one comes before that does not.
+  const int quick = this->Quality.FindDistance(1.0 / LongestQuickFrame);
+  return quick < this->Distance ? quick : 1;
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+  QVTKOpenGLNativeWidget::mouseDoubleClickEvent(event);
+  if (!this->Rendering || event->button() != Qt::LeftButton)
+  {
+    return;
+  }
+  vtkRenderer* renderer = this->Rendering->GetRenderer();
+  const QPointF place = event->localPos() * this->devicePixelRatioF();
+  const double height = this->GetPictureSize()[1];
+  const auto toWorld = [&](double depth)
+  {
+    double point[4];
+    renderer->SetDisplayPoint(place.x(), height - 1.0 - place.y(), depth);
+    renderer->DisplayToWorld();
+    renderer->GetWorldPoint(point);
+    return Vector3{ point[0] / point[3], point[1] / point[3], point[2] / point[3] };
+  };
+  const Vector3 near = toWorld(0.0);
+  const auto target = FindSurface(this->Document->GetScene(), this->Document->GetVoxels().Volume,
+    near, Difference(toWorld(1.0), near));
+  if (target)
+  {
+    emit this->aimed(*target);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -210,11 +269,13 @@ void VolumeView::Draw(int distance)
     return;
   }
   this->SetRayDistance(distance);
+  this->Decorations->FitScaleBar();
   const auto before = std::chrono::steady_clock::now();
   this->Window->Render();
   this->Window->WaitForCompletion();
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
   this->Quality.NoteFrame(passed.count(), distance);
+  this->Distance = distance;
   this->Refined = distance == 1;
   if (this->Refined)
   {
@@ -228,8 +289,16 @@ void VolumeView::Draw(int distance)
 vtkSmartPointer<vtkImageData> VolumeView::TakePicture()
 {
   this->FrameTimer.stop();
+  const bool orientation = this->Decorations->HasOrientation();
+  const bool scaleBar = this->Decorations->HasScaleBar();
+  this->Decorations->ShowOrientation(false);
+  this->Decorations->ShowScaleBar(false);
   this->Draw(1);
-  return ReadPicture(this->Window);
+  const auto picture = ReadPicture(this->Window);
+  this->Decorations->ShowOrientation(orientation);
+  this->Decorations->ShowScaleBar(scaleBar);
+  this->ScheduleFrame();
+  return picture;
 }
 
 //------------------------------------------------------------------------------

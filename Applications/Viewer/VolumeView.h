@@ -29,6 +29,7 @@ namespace penumbra
 
 class SceneDocument;
 class SceneRendering;
+class ViewDecorations;
 
 class VolumeView : public QVTKOpenGLNativeWidget
 {
@@ -50,12 +51,13 @@ public:
   /// Of the picture, in its own pixels, which are smaller than the widget's on fine screens.
   std::array<int, 2> GetPictureSize() const;
 
-  /// The whole picture, drawn at once.
+  /// The whole picture of the scene, without decorations, drawn at once.
   vtkSmartPointer<vtkImageData> TakePicture();
 
   /// Whether what is seen is the whole picture of the scene as it is now.
   bool IsRefined() const { return this->Refined; }
 
+  ViewDecorations* GetDecorations() { return this->Decorations.get(); }
   const ViewQuality& GetQuality() const { return this->Quality; }
 
   /// Draws soon: coarsely, if whole frames are slow, and when nothing moves any more as a whole.
@@ -65,29 +67,36 @@ signals:
   /// The whole picture is seen; it took so long.
   void refined(double seconds);
   void cameraMoved();
+  /// The user asks for light at this point of the world.
+  void aimed(const penumbra::Vector3& target);
   /// What the renderer cannot do of the scene, or had to do otherwise.
   void warned(const QStringList& messages);
 
 protected:
   void paintGL() override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
   void ShowOpened();
   void ShowChanged();
   void DrawMoving();
   void Refine();
+  int FindStillDistance() const;
   void Draw(int distance);
   int FindMovingDistance();
   void SetRayDistance(int distance);
+  void AttachDecorations();
   void TellWarnings();
 
   SceneDocument* Document;
   vtkNew<vtkGenericOpenGLRenderWindow> Window;
   std::unique_ptr<SceneRendering> Rendering;
+  std::unique_ptr<ViewDecorations> Decorations;
   RendererChoice Renderer = RendererChoice::Penumbra;
   ViewQuality Quality;
   QTimer FrameTimer;
   QTimer RefineTimer;
+  int Distance = 1;
   bool Refined = false;
 };
 

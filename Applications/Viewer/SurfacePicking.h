@@ -1,0 +1,27 @@
+/**
+ * @file    SurfacePicking.h
+ * @brief   the point of the volume that is seen at a place of the view
+ */
+
+#ifndef SurfacePicking_h
+#define SurfacePicking_h
+
+#include "SceneDescription.h"
+
+#include <optional>
+
+class vtkImageData;
+
+namespace penumbra
+{
+
+/**
+ * Where a ray has gathered half of full opacity, in the world; nothing where it never does.
+ * Cropping and clipping planes are respected. `direction` has any length but 0.
+ */
+std::optional<Vector3> FindSurface(
+  const SceneDescription& scene, vtkImageData* image, const Vector3& eye, const Vector3& direction);
+
+}
+
+#endif
