@@ -2,6 +2,7 @@
 
 #include "DrawnScene.h"
 #include "GradientNoise.h"
+#include "InteractiveResolution.h"
 #include "TakenOver.h"
 #include "VolumeDrawing.h"
 
@@ -17,6 +18,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
+#include "vtkTimerLog.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMaterial.h"
 #include "vtkVolumeProperty.h"
@@ -57,6 +59,8 @@ class vtkIlluminatedVolumeMapper::Internals
 public:
   DrawnScene Scene;
   VolumeDrawing Drawing;
+  InteractiveResolution Resolution;
+  double ImageSampleDistance = 1.0; ///< of the last frame
   bool AnythingVisible = true;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::vector<std::string> Messages;
@@ -70,7 +74,6 @@ vtkStandardNewMacro(vtkIlluminatedVolumeMapper);
 vtkIlluminatedVolumeMapper::vtkIlluminatedVolumeMapper()
   : Internal(std::make_unique<Internals>())
 {
-  this->AutoAdjustSampleDistances = 0;
   this->SampleDistance = 0.0f;
 }
 
@@ -93,6 +96,12 @@ double vtkIlluminatedVolumeMapper::GetActualSampleDistance() const
 double vtkIlluminatedVolumeMapper::GetActualShadowSampleDistance() const
 {
   return this->Internal->Scene.Plan.ShadowSampleDistance;
+}
+
+//------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetActualImageSampleDistance() const
+{
+  return this->Internal->ImageSampleDistance;
 }
 
 //------------------------------------------------------------------------------
@@ -265,8 +274,28 @@ void vtkIlluminatedVolumeMapper::DrawIlluminated(
   this->PlanDraws();
   if (this->Internal->AnythingVisible)
   {
-    this->Draw(renderer);
+    this->DrawInTime(renderer, volume->GetAllocatedRenderTime());
   }
+}
+
+//------------------------------------------------------------------------------
+// The clock decides on the number of rays of moving pictures, and on nothing else.
+void vtkIlluminatedVolumeMapper::DrawInTime(vtkRenderer* renderer, double allocatedSeconds)
+{
+  Internals& internal = *this->Internal;
+  internal.ImageSampleDistance = this->ImageSampleDistance;
+  if (!this->AutoAdjustSampleDistances || !InteractiveResolution::IsInteractive(allocatedSeconds))
+  {
+    this->Draw(renderer);
+    return;
+  }
+  internal.ImageSampleDistance =
+    std::max(internal.ImageSampleDistance, internal.Resolution.FindDistance(allocatedSeconds));
+  const double begin = vtkTimerLog::GetUniversalTime();
+  this->Draw(renderer);
+  internal.Window->WaitForCompletion();
+  internal.Resolution.Measure(
+    internal.ImageSampleDistance, vtkTimerLog::GetUniversalTime() - begin);
 }
 
 //------------------------------------------------------------------------------
@@ -545,7 +574,7 @@ void vtkIlluminatedVolumeMapper::PlanDraws()
 void vtkIlluminatedVolumeMapper::Draw(vtkRenderer* renderer)
 {
   Internals& internal = *this->Internal;
-  switch (internal.Drawing.Draw(renderer, internal.Scene, this->ImageSampleDistance))
+  switch (internal.Drawing.Draw(renderer, internal.Scene, internal.ImageSampleDistance))
   {
     case VolumeDrawing::Result::NoProgram:
       vtkErrorMacro("The volume is not drawn: its shader program could not be built.");
@@ -587,6 +616,7 @@ void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpticalModel: " << this->OpticalModel << "\n";
   os << indent << "ActualSampleDistance: " << this->GetActualSampleDistance() << "\n";
   os << indent << "ActualShadowSampleDistance: " << this->GetActualShadowSampleDistance() << "\n";
+  os << indent << "ActualImageSampleDistance: " << this->GetActualImageSampleDistance() << "\n";
   os << indent << "NumberOfDraws: " << this->GetNumberOfDraws() << "\n";
   os << indent << "NumberOfShaderBuilds: " << this->GetNumberOfShaderBuilds() << "\n";
 }

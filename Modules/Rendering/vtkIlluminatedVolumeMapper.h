@@ -16,7 +16,8 @@
  * with the extinction s = -ln(1 - opacity) / ScalarOpacityUnitDistance and the visibility V of each
  * light (see vtkVolumeLight). View rays and shadow rays are cut into steps whose samples lie in
  * their middle; the last step has its true length. There is no jitter, and no step length depends
- * on a clock: the same scene gives the same picture.
+ * on a clock: the same scene gives the same picture. (While a window asks for an update rate there
+ * are fewer rays, see GetActualImageSampleDistance().)
  *
  * Lengths that belong to the matter (unit distance, sample distances, shadow bias) are measured in
  * the volume's own coordinates, before the actor's matrix. Lights, camera and clipping planes are
@@ -100,7 +101,7 @@ public:
    * distance of the view rays. Default: 0.
    *
    * The view rays' step is SampleDistance, inherited; here 0 or less, the default, stands for half
-   * the smallest voxel spacing, and AutoAdjustSampleDistances has no effect.
+   * the smallest voxel spacing.
    */
   vtkSetMacro(ShadowSampleDistance, double);
   vtkGetMacro(ShadowSampleDistance, double);
@@ -207,6 +208,15 @@ public:
   double GetActualShadowSampleDistance() const;
 
   /**
+   * Distance between the rays of the last Render(), in pixels of the window. Where
+   * AutoAdjustSampleDistances, inherited, is on, a window that asks for an update rate gets as many
+   * rays as fit into the frame's time by the measure of the frame before; a still has them all,
+   * ImageSampleDistance apart. No step along a ray changes, so moving and still pictures are
+   * equally bright. Default: on, as with the stock mapper.
+   */
+  double GetActualImageSampleDistance() const;
+
+  /**
    * Number of draws that the last Render() was cut into, so that no fragment exceeds the number of
    * loop iterations that a driver may stop at. The picture does not depend on it.
    */
@@ -252,6 +262,7 @@ protected:
   bool PrepareEmptySpace();
   void PrepareNoiseFading(vtkVolumeProperty* property);
   void PlanDraws();
+  void DrawInTime(vtkRenderer* renderer, double allocatedSeconds);
   void Draw(vtkRenderer* renderer);
   vtkImageData* GetUsableMask(vtkImageData* image);
   void Say(const std::string& message);

@@ -29,7 +29,8 @@ Fault NoShadow();
 /// All opacities are halved.
 Fault HalfTheDensity();
 
-/// Checks that the scene's picture is its baseline's, and that with each of the faults it is not.
+/// Checks that the scene's picture is its baseline's and the reference integrator's, and that with
+/// each of the faults it is not the baseline's.
 void CheckPicture(
   const std::string& name, const SceneMaker& make, const std::vector<Fault>& faults);
 }
