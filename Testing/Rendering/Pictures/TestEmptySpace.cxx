@@ -42,7 +42,9 @@ void CheckSame(IlluminatedScene& scene)
   CHECK_FALSE(scene.Mapper->GetRequirements().EmptySpaceSkipping);
   CHECK(scene.Mapper->GetNumberOfBricks() == 0);
   CHECK(CompareImages(skipped, all).largest <= 1.0);
+  // What is empty is known again, and so may be out of date by the next time.
   scene.Mapper->SkipEmptySpaceOn();
+  scene.Render();
 }
 
 void Clip(IlluminatedScene& scene)
@@ -94,6 +96,11 @@ TEST_CASE("Empty space: the picture is the same without it", "[emptySpace]")
       MakeSteep(scene);
       scene.Shade(false);
     },
+    [](IlluminatedScene& scene)
+    {
+      MakeSteep(scene);
+      scene.Mapper->SetSampleDistance(2.7f);
+    },
     [](IlluminatedScene& scene) { scene.AddPointLight(14.0, 12.0, 29.0, vtkVolumeLight::Hard); },
     [](IlluminatedScene& scene) { scene.Mapper->SetSampleDistance(2.7f); },
     [](IlluminatedScene& scene) { scene.Volume->SetScale(1.0, -2.0, 0.7); } }));
@@ -120,8 +127,6 @@ TEST_CASE("Empty space: it follows what makes matter visible", "[emptySpace]")
     change(*scene);
     CheckSame(*scene);
   }
-  CHECK(scene->Mapper->GetNumberOfOccupiedBricks() == 0);
-  scene->Render();
   CHECK(scene->Mapper->GetNumberOfOccupiedBricks() > few);
 }
 
