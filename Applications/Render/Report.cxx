@@ -71,6 +71,18 @@ Json DescribeGradientTexture(vtkIlluminatedVolumeMapper* mapper)
     { "meanAngularError", mapper->GetGradientTextureAngularError() } };
 }
 
+// Null where rays do not look for it.
+Json DescribeEmptySpace(vtkIlluminatedVolumeMapper* mapper)
+{
+  if (!mapper || mapper->GetNumberOfBricks() == 0)
+  {
+    return nullptr;
+  }
+  return { { "bricks", mapper->GetNumberOfBricks() },
+    { "occupiedBricks", mapper->GetNumberOfOccupiedBricks() },
+    { "brickEdge", mapper->GetBrickEdge() } };
+}
+
 // Null where it did not render.
 Json DescribeReference(const std::optional<ReferenceStatistics>& statistics)
 {
@@ -124,6 +136,7 @@ std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
   report["reference"] = DescribeReference(frames.Reference);
   report["technique"] = NameOfTechnique(mapper);
   report["requirements"] = requirements;
+  report["emptySpace"] = DescribeEmptySpace(mapper);
   report["gradientTexture"] = DescribeGradientTexture(mapper);
   report["leftOut"] = mapper ? mapper->GetRequirements().GetLeftOut() : std::vector<std::string>();
   report["choices"] = texts.Choices;

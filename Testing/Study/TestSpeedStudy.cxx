@@ -52,6 +52,10 @@ TEST_CASE("A small grid is drawn by every technique that there is")
   }
   CHECK(Find(result, "vtk, unlit")->Relative == 1.0);
   CHECK(Find(result, "unlit")->Technique == "none");
+  // 24 voxels make several bricks along each edge, and those in the corners are empty.
+  CHECK(Find(result, "unlit")->Counts.at("bricks") > 8);
+  CHECK(Find(result, "unlit")->Counts.at("occupied bricks") <
+    Find(result, "unlit")->Counts.at("bricks"));
   // 8-bit pictures of one integral at 4 steps a voxel: rounding, and what is left of the steps.
   CHECK(Find(result, "unlit, 1/4 voxel")->Error->RootMeanSquare < 1.0);
   CHECK_FALSE(Find(result, "lit")->Error);
