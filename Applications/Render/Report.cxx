@@ -83,6 +83,19 @@ Json DescribeEmptySpace(vtkIlluminatedVolumeMapper* mapper)
     { "brickEdge", mapper->GetBrickEdge() } };
 }
 
+// Null where rays are marched, which keep nothing between frames.
+Json DescribeKeptShadows(vtkIlluminatedVolumeMapper* mapper)
+{
+  if (!mapper || mapper->GetShadowBytes() == 0)
+  {
+    return nullptr;
+  }
+  return { { "bytes", mapper->GetShadowBytes() },
+    { "resolution", mapper->GetActualShadowResolution() },
+    { "nearSteps", mapper->GetShadowNearSteps() },
+    { "lightsComputed", mapper->GetNumberOfShadowUpdates() } };
+}
+
 // Null where it did not render.
 Json DescribeReference(const std::optional<ReferenceStatistics>& statistics)
 {
@@ -98,7 +111,8 @@ Json DescribeReference(const std::optional<ReferenceStatistics>& statistics)
 
 std::string NameOfTechnique(vtkIlluminatedVolumeMapper* mapper)
 {
-  return mapper && mapper->GetRequirements().GetNumberOfShadowedLights() > 0 ? "rays" : "none";
+  const bool shadowed = mapper && mapper->GetRequirements().GetNumberOfShadowedLights() > 0;
+  return shadowed ? GetName(mapper->GetRequirements().Technique) : "none";
 }
 
 std::vector<RequirementEntry> EntriesOf(vtkIlluminatedVolumeMapper* mapper)
@@ -131,10 +145,11 @@ std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
   report["frameSeconds"] = seconds;
   report["frameCpuSeconds"] = cpuSeconds;
   report["medianFrameSeconds"] = Median(seconds);
-  report["shadowUpdateSeconds"] = 0.0; // rays keep nothing between frames
+  report["shadowUpdateSeconds"] = mapper ? mapper->GetShadowUpdateSeconds() : 0.0;
   report["brightness"] = DescribeBrightness(frames.Picture);
   report["reference"] = DescribeReference(frames.Reference);
   report["technique"] = NameOfTechnique(mapper);
+  report["keptShadows"] = DescribeKeptShadows(mapper);
   report["requirements"] = requirements;
   report["emptySpace"] = DescribeEmptySpace(mapper);
   report["gradientTexture"] = DescribeGradientTexture(mapper);

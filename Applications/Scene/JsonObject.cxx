@@ -239,8 +239,7 @@ void JsonObject::ReadIntegers(
 }
 
 //------------------------------------------------------------------------------
-std::size_t JsonObject::FindChoice(const std::string& key, const std::vector<std::string>& names,
-  const std::vector<std::string>& notYetAvailable)
+std::size_t JsonObject::FindChoice(const std::string& key, const std::vector<std::string>& names)
 {
   std::string wanted;
   const nlohmann::json& value = *this->Find(key);
@@ -252,13 +251,6 @@ std::size_t JsonObject::FindChoice(const std::string& key, const std::vector<std
   if (found != names.end())
   {
     return static_cast<std::size_t>(found - names.begin());
-  }
-  const bool isKnown =
-    std::find(notYetAvailable.begin(), notYetAvailable.end(), wanted) != notYetAvailable.end();
-  if (isKnown)
-  {
-    throw InputError(this->PathOf(key) + ": " + ValueInWords(value) +
-      " is not available yet; available: " + Join(names));
   }
   RefuseValue(this->PathOf(key), value, Join(names));
 }
@@ -280,16 +272,6 @@ std::vector<std::pair<const nlohmann::json*, std::string>> JsonObject::ReadArray
     }
   }
   return entries;
-}
-
-//------------------------------------------------------------------------------
-void JsonObject::RefuseNotYetAvailable(const std::string& key, const std::string& what)
-{
-  if (const nlohmann::json* value = this->Find(key))
-  {
-    throw InputError(
-      this->PathOf(key) + " is " + ValueInWords(*value) + ": " + what + " not available yet");
-  }
 }
 
 //------------------------------------------------------------------------------

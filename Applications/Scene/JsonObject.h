@@ -98,8 +98,7 @@ public:
   /// One of several names, each standing for a value.
   template <typename Value>
   void ReadChoice(const std::string& key, Value& target,
-    const std::vector<std::pair<std::string, Value>>& choices,
-    const std::vector<std::string>& notYetAvailable = {})
+    const std::vector<std::pair<std::string, Value>>& choices)
   {
     std::vector<std::string> names;
     for (const auto& choice : choices)
@@ -108,15 +107,12 @@ public:
     }
     if (this->Find(key))
     {
-      target = choices[this->FindChoice(key, names, notYetAvailable)].second;
+      target = choices[this->FindChoice(key, names)].second;
     }
   }
 
   /// The entries of an array, each with its path. Empty where the key is absent.
   std::vector<std::pair<const nlohmann::json*, std::string>> ReadArray(const std::string& key);
-
-  /// An InputError that names the key as known, but not built yet, where it is present.
-  void RefuseNotYetAvailable(const std::string& key, const std::string& what);
 
   void RefuseUnknownKeys() const;
 
@@ -125,8 +121,7 @@ private:
     const std::string& key, double* target, std::size_t size, const NumberRange& range);
   void ReadIntegers(
     const std::string& key, int* target, std::size_t size, int minimum, int maximum);
-  std::size_t FindChoice(const std::string& key, const std::vector<std::string>& names,
-    const std::vector<std::string>& notYetAvailable);
+  std::size_t FindChoice(const std::string& key, const std::vector<std::string>& names);
 
   const nlohmann::json& Value;
   std::string Path;

@@ -142,7 +142,10 @@ struct LightDescription
 enum class TechniqueChoice
 {
   Auto,
-  Rays
+  Rays,
+  Volume,
+  Map,
+  DeepMap
 };
 
 struct ShadowsDescription
@@ -151,6 +154,8 @@ struct ShadowsDescription
   /// In the volume's own lengths. Empty: twice the scene's sample distance.
   std::optional<double> SampleDistance;
   double Resolution = 1.0;
+  /// Steps that are marched before what is kept counts. Empty: as many as pay.
+  std::optional<std::int64_t> NearSteps;
   double Tolerance = 1.0;
 };
 

@@ -49,15 +49,20 @@ void ParseGradient(JsonObject& scene, SceneDescription& description)
   description.GradientTexture = static_cast<int>(bits);
 }
 
+// More of them than that is marching the ray.
+constexpr std::int64_t MostNearSteps = 1024;
+
 ShadowsDescription ParseShadows(const nlohmann::json& value)
 {
   ShadowsDescription shadows;
   JsonObject object(value, "shadows");
   object.ReadChoice<TechniqueChoice>("technique", shadows.Technique,
-    { { "auto", TechniqueChoice::Auto }, { "rays", TechniqueChoice::Rays } },
-    { "volume", "map", "deep-map" });
+    { { "auto", TechniqueChoice::Auto }, { "rays", TechniqueChoice::Rays },
+      { "volume", TechniqueChoice::Volume }, { "map", TechniqueChoice::Map },
+      { "deep-map", TechniqueChoice::DeepMap } });
   object.Read("sampleDistance", shadows.SampleDistance, StepLengths);
   object.Read("resolution", shadows.Resolution, MoreThanZero);
+  object.Read("nearSteps", shadows.NearSteps, 0, MostNearSteps);
   object.Read("tolerance", shadows.Tolerance, ZeroOrMore);
   object.RefuseUnknownKeys();
   return shadows;

@@ -37,6 +37,8 @@ void CopySettings(vtkGPUVolumeRayCastMapper* from, vtkGPUVolumeRayCastMapper* to
   {
     target->SetShadowTechnique(source->GetShadowTechnique());
     target->SetShadowSampleDistance(source->GetShadowSampleDistance());
+    target->SetShadowResolution(source->GetShadowResolution());
+    target->SetShadowNearSteps(source->GetShadowNearSteps());
     target->SetGradientEstimator(source->GetGradientEstimator());
     target->SetGradientTextureBits(source->GetGradientTextureBits());
     target->SetOpticalModel(source->GetOpticalModel());

@@ -29,6 +29,23 @@ int OpticalModelOf(OpticalModel optics)
   }
 }
 
+int ShadowTechniqueOf(TechniqueChoice choice)
+{
+  switch (choice)
+  {
+    case TechniqueChoice::Rays:
+      return vtkIlluminatedVolumeMapper::Rays;
+    case TechniqueChoice::Volume:
+      return vtkIlluminatedVolumeMapper::Volume;
+    case TechniqueChoice::Map:
+      return vtkIlluminatedVolumeMapper::Map;
+    case TechniqueChoice::DeepMap:
+      return vtkIlluminatedVolumeMapper::DeepMap;
+    default:
+      return vtkIlluminatedVolumeMapper::Auto;
+  }
+}
+
 // What the stock mapper takes for what it does not have.
 void TellReplacements(const SceneDescription& scene, std::vector<std::string>& warnings)
 {
@@ -52,7 +69,12 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(const SceneDescriptio
   if (scene.Renderer != RendererChoice::StockMapper)
   {
     auto mapper = vtkSmartPointer<vtkIlluminatedVolumeMapper>::New();
-    mapper->SetShadowTechniqueToRays();
+    mapper->SetShadowTechnique(ShadowTechniqueOf(scene.Shadows.Technique));
+    mapper->SetShadowResolution(scene.Shadows.Resolution);
+    if (scene.Shadows.NearSteps)
+    {
+      mapper->SetShadowNearSteps(static_cast<int>(*scene.Shadows.NearSteps));
+    }
     mapper->SetShadowSampleDistance(*scene.Shadows.SampleDistance);
     mapper->SetGradientEstimator(static_cast<int>(scene.Gradient));
     mapper->SetGradientTextureBits(scene.GradientTexture);

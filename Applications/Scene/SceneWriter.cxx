@@ -172,6 +172,23 @@ const char* NameOf(LightType type)
   }
 }
 
+const char* NameOf(TechniqueChoice technique)
+{
+  switch (technique)
+  {
+    case TechniqueChoice::Rays:
+      return "rays";
+    case TechniqueChoice::Volume:
+      return "volume";
+    case TechniqueChoice::Map:
+      return "map";
+    case TechniqueChoice::DeepMap:
+      return "deep-map";
+    default:
+      return "auto";
+  }
+}
+
 const char* NameOf(ShadowKind shadow)
 {
   switch (shadow)
@@ -221,9 +238,14 @@ Json WriteLights(const std::vector<LightDescription>& lights)
 
 Json WriteShadows(const ShadowsDescription& shadows)
 {
-  return { { "technique", shadows.Technique == TechniqueChoice::Auto ? "auto" : "rays" },
+  Json json = { { "technique", NameOf(shadows.Technique) },
     { "sampleDistance", *shadows.SampleDistance }, { "resolution", shadows.Resolution },
     { "tolerance", shadows.Tolerance } };
+  if (shadows.NearSteps)
+  {
+    json["nearSteps"] = *shadows.NearSteps;
+  }
+  return json;
 }
 
 Json WriteClippingPlanes(const std::vector<ClippingPlaneDescription>& planes)

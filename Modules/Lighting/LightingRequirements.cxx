@@ -247,7 +247,7 @@ std::vector<RequirementEntry> LightingRequirements::GetEntries() const
     Flag("attenuation", positional && this->Attenuation),
     Count("soft shadows", this->GetNumberOfLights(ShadowKind::Soft)),
     Count("hard shadows", this->GetNumberOfLights(ShadowKind::Hard)),
-    Choice("shadow technique", "rays", this->GetNumberOfShadowedLights() > 0),
+    Choice("shadow technique", GetName(this->Technique), this->GetNumberOfShadowedLights() > 0),
   };
 }
 
@@ -280,6 +280,13 @@ ShadowKind GetShadowKind(vtkLight* light)
 {
   auto* volumeLight = vtkVolumeLight::SafeDownCast(light);
   return volumeLight ? static_cast<ShadowKind>(volumeLight->GetShadow()) : ShadowKind::None;
+}
+
+//------------------------------------------------------------------------------
+const char* GetName(ShadowTechnique technique)
+{
+  static const char* const names[] = { "rays", "volume", "map", "deep-map" };
+  return names[static_cast<int>(technique)];
 }
 
 //------------------------------------------------------------------------------

@@ -43,10 +43,15 @@ enum class ShadowKind
 };
 constexpr int NumberOfShadowKinds = 3;
 
-/// How shadows are computed. Rays marches a shadow ray from every sample that needs one.
+/// How shadows are computed. Rays marches a shadow ray from every sample that needs one. The others
+/// look up what was computed beforehand: Volume over the whole volume, DeepMap along the rays of
+/// each light, Map, for hard shadows, where these rays are first hidden.
 enum class ShadowTechnique
 {
-  Rays
+  Rays,
+  Volume,
+  Map,
+  DeepMap
 };
 
 /// How matter reflects light; the values are those of vtkVolumeMaterial::ReflectionModelType.
@@ -201,6 +206,9 @@ PENUMBRALIGHTING_EXPORT LightKind GetLightKind(vtkLight* light);
 
 /// Shadow state of a light; a plain vtkLight has none.
 PENUMBRALIGHTING_EXPORT ShadowKind GetShadowKind(vtkLight* light);
+
+/// The technique's name in scene files and reports.
+PENUMBRALIGHTING_EXPORT const char* GetName(ShadowTechnique technique);
 
 /// By which model a property reflects light: Phong's, unless it is a vtkVolumeMaterial.
 PENUMBRALIGHTING_EXPORT ReflectionModel GetReflectionModel(vtkVolumeProperty* property);

@@ -10,6 +10,9 @@
 #include "LightingRequirements.h"
 #include "MarchingPlan.h"
 #include "MaterialUniforms.h"
+#include "ShadowMapPlan.h"
+#include "ShadowVolumePlan.h"
+#include "ShadowingMatter.h"
 #include "ViewRays.h"
 #include "VolumePlacement.h"
 
@@ -34,6 +37,11 @@ struct DrawnScene
   int CroppingFlags = 0; ///< vtkVolumeMapper's region flags
   double UnitDistance = 1.0;
   MarchingPlan Plan;
+  std::vector<ShadowCaster> ShadowCasters; ///< whose shadows are looked up
+  ShadowingMatter Matter;                  ///< what kept shadows depend on
+  std::vector<LightSpace> LightSpaces;     ///< theirs, with maps
+  ShadowVolumePlan VolumeOfShadows;
+  ShadowMapPlan MapsOfShadows;
 
   /// Sets all uniforms that do not depend on a texture or on the part of the picture that is drawn.
   void SetUniforms(vtkShaderProgram* program) const;

@@ -1,6 +1,7 @@
 #include "LightUniforms.h"
 
 #include "OpenGLEnumerants.h"
+#include "ShadowMapPlan.h"
 #include "TransferFunctionTable.h"
 
 #include "vtkLight.h"
@@ -58,6 +59,25 @@ std::vector<vtkLight*> SortLights(vtkLightCollection* lights, vtkVolumeProperty*
   std::stable_sort(
     sorted.begin(), sorted.end(), [&](vtkLight* a, vtkLight* b) { return group(a) < group(b); });
   return sorted;
+}
+
+template <typename Visitor>
+void VisitShadowedLights(const LightingRequirements& requirements, Visitor visit)
+{
+  int light = 0;
+  for (int kind = 0; kind < NumberOfLightKinds; ++kind)
+  {
+    for (int shadow = 0; shadow < NumberOfShadowKinds; ++shadow)
+    {
+      for (int count = 0; count < requirements.Lights[kind][shadow]; ++count, ++light)
+      {
+        if (static_cast<ShadowKind>(shadow) != ShadowKind::None)
+        {
+          visit(light, static_cast<LightKind>(kind), static_cast<ShadowKind>(shadow));
+        }
+      }
+    }
+  }
 }
 
 Vector3 GetTravelDirection(vtkLight* light)
@@ -160,6 +180,85 @@ LightUniforms MakeLightUniforms(vtkLightCollection* lights, vtkVolumeProperty* p
 }
 
 //------------------------------------------------------------------------------
+bool ShadowCaster::operator==(const ShadowCaster& other) const
+{
+  return this->Place == other.Place && this->Begin == other.Begin && this->Enough == other.Enough &&
+    this->Hard == other.Hard && this->FirstHit == other.FirstHit;
+}
+
+//------------------------------------------------------------------------------
+std::vector<ShadowCaster> LightUniforms::GetShadowCasters(
+  const LightingRequirements& requirements) const
+{
+  std::vector<ShadowCaster> casters;
+  VisitShadowedLights(requirements,
+    [&](int light, LightKind kind, ShadowKind shadow)
+    {
+      const Vector3f& place = this->Position[light];
+      const float positional = kind == LightKind::Directional ? 0.0f : 1.0f;
+      casters.push_back({ { place[0], place[1], place[2], positional }, this->Shadow[light][0],
+        shadow == ShadowKind::Hard ? this->Shadow[light][1] : 0.0f, shadow == ShadowKind::Hard });
+    });
+  return casters;
+}
+
+//------------------------------------------------------------------------------
+void LightUniforms::LookUpVolume(
+  const LightingRequirements& requirements, int casters, int blocks, double marchedLength)
+{
+  constexpr int castersPerBlock = 4;
+  constexpr float wholeRay = 1e30f;
+  this->ShadowComponent.assign(this->Position.size(), {});
+  this->ShadowVolume.assign(this->Position.size(), {});
+  int caster = 0;
+  VisitShadowedLights(requirements,
+    [&](int light, LightKind, ShadowKind)
+    {
+      if (caster >= casters)
+      {
+        this->ShadowVolume[light] = { 0.0f, wholeRay };
+        return;
+      }
+      const float block = static_cast<float>(caster / castersPerBlock) / static_cast<float>(blocks);
+      this->ShadowVolume[light] = { block, static_cast<float>(marchedLength) };
+      this->ShadowComponent[light][caster % castersPerBlock] = 1.0f;
+      ++caster;
+    });
+}
+
+//------------------------------------------------------------------------------
+void LightUniforms::LookUpMaps(const LightingRequirements& requirements,
+  const std::vector<LightSpace>& spaces, double marchedLength)
+{
+  constexpr float wholeRay = 1e30f;
+  this->MapAxes.assign(3 * this->Position.size(), {});
+  this->Map.assign(this->Position.size(), {});
+  std::size_t caster = 0;
+  VisitShadowedLights(requirements,
+    [&](int light, LightKind, ShadowKind)
+    {
+      if (caster >= spaces.size())
+      {
+        this->Map[light] = { -1.0f, wholeRay, 0.0f, 1.0f };
+        return;
+      }
+      const LightSpace& space = spaces[caster];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        for (int column = 0; column < 4; ++column)
+        {
+          this->MapAxes[3 * light + axis][column] =
+            static_cast<float>(space.TextureToLight[4 * axis + column]);
+        }
+      }
+      this->Map[light] = { static_cast<float>(ShadowMapPlan::SlicesPerLight * caster),
+        static_cast<float>(marchedLength), static_cast<float>(space.Projection),
+        static_cast<float>(space.Extent) };
+      ++caster;
+    });
+}
+
+//------------------------------------------------------------------------------
 void LightUniforms::SetAmbient(const std::array<double, 3>& ambient, double factor)
 {
   this->Ambient = Scaled(ambient.data(), factor);
@@ -170,7 +269,7 @@ int LightUniforms::GetLargestNumber(vtkOpenGLRenderWindow* window)
 {
   // Arrays of vectors take four components an element; the scene's other uniforms take fewer than
   // 256.
-  constexpr int componentsPerLight = 7 * 4;
+  constexpr int componentsPerLight = 11 * 4;
   constexpr int otherComponents = 256;
   int components = 0;
   window->GetState()->vtkglGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &components);
@@ -194,6 +293,13 @@ void LightUniforms::Set(vtkShaderProgram* program) const
       program->SetUniform2fv(name, static_cast<int>(values.size()), values.front().data());
     }
   };
+  const auto setQuadruples = [&](const char* name, const std::vector<Vector4f>& values)
+  {
+    if (!values.empty() && program->IsUniformUsed(name))
+    {
+      program->SetUniform4fv(name, static_cast<int>(values.size()), values.front().data());
+    }
+  };
   setVectors("scene_lightPosition", this->Position);
   setVectors("scene_lightDirection", this->Direction);
   setVectors("scene_lightDiffuse", this->Diffuse);
@@ -201,6 +307,10 @@ void LightUniforms::Set(vtkShaderProgram* program) const
   setVectors("scene_lightAttenuation", this->Attenuation);
   setPairs("scene_lightCone", this->Cone);
   setPairs("scene_lightShadow", this->Shadow);
+  setPairs("scene_lightShadowVolume", this->ShadowVolume);
+  setQuadruples("scene_lightShadowComponent", this->ShadowComponent);
+  setQuadruples("scene_lightMapAxes", this->MapAxes);
+  setQuadruples("scene_lightMap", this->Map);
   program->SetUniform3f("scene_ambient", this->Ambient.data());
 }
 

@@ -6,6 +6,7 @@
 #ifndef LightUniforms_h
 #define LightUniforms_h
 
+#include "LightSpace.h"
 #include "LightingRequirements.h"
 #include "VolumePlacement.h"
 
@@ -18,11 +19,26 @@ class vtkShaderProgram;
 namespace penumbra
 {
 
+/// What is kept of a light's shadow depends on besides the matter: where the light comes from,
+/// where the rays begin and the optical depth that makes a hard shadow.
+struct ShadowCaster
+{
+  std::array<float, 4> Place{}; ///< position and 1, or direction of the shadow ray and 0
+  float Begin = 0.0f;
+  float Enough = 0.0f;
+  bool Hard = false;
+  bool FirstHit = false; ///< kept as the place where the hard shadow begins
+
+  bool operator==(const ShadowCaster& other) const;
+  bool operator!=(const ShadowCaster& other) const { return !(*this == other); }
+};
+
 /// One entry per light that matters, sorted by kind and shadow state. See Lights.glsl.
 struct LightUniforms
 {
   using Vector3f = std::array<float, 3>;
   using Vector2f = std::array<float, 2>;
+  using Vector4f = std::array<float, 4>;
 
   std::vector<Vector3f> Position;
   std::vector<Vector3f> Direction;
@@ -31,13 +47,28 @@ struct LightUniforms
   std::vector<Vector3f> Attenuation;
   std::vector<Vector2f> Cone;
   std::vector<Vector2f> Shadow;
+  std::vector<Vector4f> ShadowComponent; ///< with a shadow volume
+  std::vector<Vector2f> ShadowVolume;
+  std::vector<Vector4f> MapAxes; ///< with shadow maps, 3 a light
+  std::vector<Vector4f> Map;
   Vector3f Ambient{};
 
   /// ambient: sum of the lights' ambient colours; factor: the material's.
   void SetAmbient(const std::array<double, 3>& ambient, double factor);
   void Set(vtkShaderProgram* program) const;
 
-  /// How many lights fit into the uniforms of a fragment shader. OpenGL 3.2 guarantees 27 of them;
+  /// The lights with a shadow, in their order among the others; requirements: those of the same
+  /// lights.
+  std::vector<ShadowCaster> GetShadowCasters(const LightingRequirements& requirements) const;
+  /// Looks the visibility of the first casters up in a shadow volume of this many blocks, beyond a
+  /// length that is marched directly; the others' rays are marched whole.
+  void LookUpVolume(
+    const LightingRequirements& requirements, int casters, int blocks, double marchedLength);
+  /// The same in maps, of the casters' light spaces.
+  void LookUpMaps(const LightingRequirements& requirements, const std::vector<LightSpace>& spaces,
+    double marchedLength);
+
+  /// How many lights fit into the uniforms of a fragment shader. OpenGL 3.2 guarantees 17 of them;
   /// the drivers of graphics cards hold well over a hundred.
   static int GetLargestNumber(vtkOpenGLRenderWindow* window);
 };

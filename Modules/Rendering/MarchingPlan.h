@@ -22,7 +22,10 @@ struct MarchingTask
   double SampleDistance = 0.0;       ///< as asked, more than 0
   double ShadowSampleDistance = 0.0; ///< as asked, more than 0
   int Lights = 0;
-  int ShadowedLights = 0;
+  int ShadowedLights = 0;   ///< whose rays are marched whole
+  int LookedUpShadows = 0;  ///< lights whose rays are marched for some steps only
+  int ShadowNearSteps = 0;  ///< how many those are
+  bool ShadowMaps = false;  ///< looked up in maps, else in a volume
   int LookupIterations = 0; ///< loop iterations of one transfer function look-up
   int ClippingPlanes = 0;
 };

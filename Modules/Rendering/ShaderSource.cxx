@@ -20,6 +20,8 @@
 #include "GlslDeclarations.h"
 #include "GlslDiffuseNone.h"
 #include "GlslDiffuseTerm.h"
+#include "GlslEmptyAroundMap.h"
+#include "GlslEmptyAroundNone.h"
 #include "GlslEmptySpaceMap.h"
 #include "GlslEmptySpaceNone.h"
 #include "GlslEnvironmentDiffuse.h"
@@ -38,6 +40,7 @@
 #include "GlslGradientTexture.h"
 #include "GlslLightFalloff.h"
 #include "GlslLightPoint.h"
+#include "GlslLightSpace.h"
 #include "GlslLights.h"
 #include "GlslLightsDirectional.h"
 #include "GlslLightsPoint.h"
@@ -66,9 +69,16 @@
 #include "GlslShadingEnvironment.h"
 #include "GlslShadingLights.h"
 #include "GlslShadingNone.h"
-#include "GlslShadowHardRay.h"
+#include "GlslShadowDepthMap.h"
+#include "GlslShadowDepthRay.h"
+#include "GlslShadowDepthVolume.h"
+#include "GlslShadowHard.h"
+#include "GlslShadowHardEdge.h"
+#include "GlslShadowHardFiltered.h"
+#include "GlslShadowMapFill.h"
 #include "GlslShadowRay.h"
-#include "GlslShadowSoftRay.h"
+#include "GlslShadowSoft.h"
+#include "GlslShadowVolumeFill.h"
 #include "GlslSidesOne.h"
 #include "GlslSidesTwo.h"
 #include "GlslSpecularFresnel.h"
@@ -124,9 +134,22 @@ bool Shadowed(const Needs& needs)
   return needs.GetNumberOfShadowedLights() > 0;
 }
 
+template <ShadowTechnique Technique>
+bool ShadowedBy(const Needs& needs, bool)
+{
+  return Shadowed(needs) && needs.Technique == Technique;
+}
+
+// A map of first hits tells hard shadows only; soft ones take a deep map then.
+bool LooksUpMaps(const Needs& needs, bool)
+{
+  return Shadowed(needs) &&
+    (needs.Technique == ShadowTechnique::Map || needs.Technique == ShadowTechnique::DeepMap);
+}
+
 // In GLSL order: what is used stands before its use. Alternatives stand together, and exactly one
-// of them is needed.
-const Snippet FragmentSnippets[] = {
+// of them is needed. First what matter is, for view rays and shadow rays alike.
+const Snippet MatterSnippets[] = {
   { GlslDeclarations, Always },
   { GlslBoxInterval, Always },
   { GlslTransmittance, Always },
@@ -161,6 +184,10 @@ const Snippet FragmentSnippets[] = {
   { GlslSegmentIntegral, [](const Needs& n, bool) { return n.PreIntegrated; } },
   { GlslEmptySpaceNone, [](const Needs& n, bool) { return !n.EmptySpaceSkipping; } },
   { GlslEmptySpaceMap, [](const Needs& n, bool) { return n.EmptySpaceSkipping; } },
+};
+
+// Then how it is lit and seen.
+const Snippet PictureSnippets[] = {
   { GlslSegmentColorNone, [](const Needs& n, bool) { return !n.NeedsColor(); } },
   { GlslSegmentColor, [](const Needs& n, bool) { return n.NeedsColor() && !n.PreIntegrated; } },
   { GlslSegmentColorIntegral,
@@ -189,9 +216,19 @@ const Snippet FragmentSnippets[] = {
     [](const Needs& n, bool) { return Lit(n) && n.Specular && n.HasFresnelTerm(); } },
   { GlslLights, [](const Needs& n, bool) { return Lit(n); } },
   { GlslShadowRay, [](const Needs& n, bool) { return Shadowed(n); } },
-  { GlslShadowSoftRay,
+  { GlslShadowDepthRay, ShadowedBy<ShadowTechnique::Rays> },
+  { GlslShadowDepthVolume, ShadowedBy<ShadowTechnique::Volume> },
+  { GlslLightSpace, LooksUpMaps },
+  { GlslShadowDepthMap, LooksUpMaps },
+  { GlslShadowSoft,
     [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Soft) > 0; } },
-  { GlslShadowHardRay,
+  { GlslShadowHardEdge,
+    [](const Needs& n, bool)
+    { return n.GetNumberOfLights(ShadowKind::Hard) > 0 && n.Technique != ShadowTechnique::Map; } },
+  { GlslShadowHardFiltered,
+    [](const Needs& n, bool)
+    { return n.GetNumberOfLights(ShadowKind::Hard) > 0 && n.Technique == ShadowTechnique::Map; } },
+  { GlslShadowHard,
     [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Hard) > 0; } },
   { GlslLightsDirectional,
     [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Directional) > 0; } },
@@ -255,6 +292,38 @@ std::string DefineLightGroups(const Needs& needs)
   }
   return text;
 }
+
+template <std::size_t Size>
+void Append(
+  std::string& source, const Snippet (&snippets)[Size], const Needs& needs, bool continued)
+{
+  for (const Snippet& snippet : snippets)
+  {
+    if (snippet.Needed(needs, continued))
+    {
+      source += "\n";
+      source += snippet.Source;
+    }
+  }
+}
+
+const char* const FragmentHead = "//VTK::System::Dec\n//VTK::Output::Dec\n\n";
+
+// What matter is, and what a cache of shadows makes of it.
+std::string GetFillSource(const Needs& needs, std::initializer_list<const char*> snippets)
+{
+  const Needs matter = GetMatterRequirements(needs);
+  std::string source = FragmentHead;
+  source += Define("CLIPPING_PLANES", matter.ClippingPlanes);
+  source += Define("WHOLE_SEGMENTS", matter.NeedsWholeSegments() ? 1 : 0);
+  Append(source, MatterSnippets, matter, false);
+  for (const char* snippet : snippets)
+  {
+    source += "\n";
+    source += snippet;
+  }
+  return source;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -266,19 +335,47 @@ std::string GetVertexShaderSource()
 //------------------------------------------------------------------------------
 std::string GetFragmentShaderSource(const LightingRequirements& requirements, bool continued)
 {
-  std::string source = "//VTK::System::Dec\n//VTK::Output::Dec\n\n";
+  std::string source = FragmentHead;
   source += DefineLightGroups(requirements);
   source += Define("CLIPPING_PLANES", requirements.ClippingPlanes);
   source += Define("WHOLE_SEGMENTS", requirements.NeedsWholeSegments() ? 1 : 0);
-  for (const Snippet& snippet : FragmentSnippets)
-  {
-    if (snippet.Needed(requirements, continued))
-    {
-      source += "\n";
-      source += snippet.Source;
-    }
-  }
+  Append(source, MatterSnippets, requirements, continued);
+  Append(source, PictureSnippets, requirements, continued);
   return source;
+}
+
+//------------------------------------------------------------------------------
+LightingRequirements GetMatterRequirements(const LightingRequirements& requirements)
+{
+  LightingRequirements matter;
+  matter.Optics = OpticalModel::Absorption;
+  matter.ClippingPlanes = requirements.ClippingPlanes;
+  matter.Cropping = requirements.Cropping;
+  matter.Mask = requirements.Mask;
+  matter.Opacity = requirements.Opacity;
+  matter.PreIntegrated = requirements.PreIntegrated;
+  matter.EmptySpaceSkipping = requirements.EmptySpaceSkipping;
+  matter.GradientOpacity = requirements.GradientOpacity;
+  if (matter.GradientOpacity)
+  {
+    matter.Gradient = requirements.Gradient;
+    matter.GradientTexture = requirements.GradientTexture;
+  }
+  return matter;
+}
+
+//------------------------------------------------------------------------------
+std::string GetShadowVolumeSource(const LightingRequirements& requirements)
+{
+  const char* const emptyAround =
+    requirements.EmptySpaceSkipping ? GlslEmptyAroundMap : GlslEmptyAroundNone;
+  return GetFillSource(requirements, { GlslShadowRay, emptyAround, GlslShadowVolumeFill });
+}
+
+//------------------------------------------------------------------------------
+std::string GetShadowMapSource(const LightingRequirements& requirements)
+{
+  return GetFillSource(requirements, { GlslShadowRay, GlslLightSpace, GlslShadowMapFill });
 }
 
 //------------------------------------------------------------------------------

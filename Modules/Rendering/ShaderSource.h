@@ -22,6 +22,18 @@ PENUMBRARENDERING_EXPORT std::string GetVertexShaderSource();
 PENUMBRARENDERING_EXPORT std::string GetFragmentShaderSource(
   const LightingRequirements& requirements, bool continued);
 
+/// What of the requirements concerns how matter absorbs, with all else left out.
+PENUMBRARENDERING_EXPORT LightingRequirements GetMatterRequirements(
+  const LightingRequirements& requirements);
+
+/// The fragment shader that computes one light's visibility over a slice of the shadow volume, with
+/// the very GLSL of a picture's shadow rays.
+PENUMBRARENDERING_EXPORT std::string GetShadowVolumeSource(
+  const LightingRequirements& requirements);
+
+/// The fragment shader that makes one light's shadow map or deep shadow map.
+PENUMBRARENDERING_EXPORT std::string GetShadowMapSource(const LightingRequirements& requirements);
+
 /// The fragment shader that puts a gathered picture over the viewport.
 PENUMBRARENDERING_EXPORT std::string GetCompositeShaderSource();
 

@@ -33,11 +33,29 @@ void VolumeDrawing::SetUniforms(vtkShaderProgram* program)
   this->Scene->SetUniforms(program);
   this->Textures.SetUniforms(program, this->Scene->Placement, this->Scene->UnitDistance);
   this->Environment.SetUniforms(program);
+  for (ShadowCache* cache : this->GetCaches())
+  {
+    cache->SetUniforms(program, *this->Scene);
+  }
   if (this->Gathering)
   {
     program->SetUniformi("scene_accumulated", this->Accumulation.GetPreviousTextureUnit());
     this->Accumulation.PreparePrimitives(this->Window);
   }
+}
+
+//------------------------------------------------------------------------------
+std::array<ShadowCache*, 2> VolumeDrawing::GetCaches()
+{
+  return { &this->VolumeOfShadows, &this->MapsOfShadows };
+}
+
+//------------------------------------------------------------------------------
+bool VolumeDrawing::UpdateShadows()
+{
+  const auto caches = this->GetCaches();
+  return std::all_of(caches.begin(), caches.end(),
+    [&](ShadowCache* cache) { return cache->Update(this->Window, *this->Scene, this->Textures); });
 }
 
 //------------------------------------------------------------------------------
@@ -76,7 +94,16 @@ VolumeDrawing::Result VolumeDrawing::Draw(
   this->Pass->Select(scene.Requirements, this->Gathering);
   this->Pass->ExpectDraw();
   this->Textures.Activate();
+  if (!this->UpdateShadows())
+  {
+    this->Textures.Deactivate();
+    return Result::NoProgram;
+  }
   this->Environment.Activate(this->Window);
+  for (ShadowCache* cache : this->GetCaches())
+  {
+    cache->Activate();
+  }
   AccumulationBuffer::Viewport viewport;
   renderer->GetTiledSizeAndOrigin(&viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
   bool gathered = true;
@@ -90,6 +117,10 @@ VolumeDrawing::Result VolumeDrawing::Draw(
   }
   this->Textures.Deactivate();
   this->Environment.Deactivate();
+  for (ShadowCache* cache : this->GetCaches())
+  {
+    cache->Deactivate();
+  }
   this->Scene = nullptr;
   if (!gathered)
   {
@@ -104,6 +135,10 @@ void VolumeDrawing::Release(vtkOpenGLRenderWindow* window)
   this->Box.Release(window);
   this->Textures.Release(window);
   this->Environment.Release(window);
+  for (ShadowCache* cache : this->GetCaches())
+  {
+    cache->Release(window);
+  }
   this->Accumulation.Release(window);
 }
 

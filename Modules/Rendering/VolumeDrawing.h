@@ -10,6 +10,8 @@
 #include "DrawnScene.h"
 #include "EnvironmentTextures.h"
 #include "IlluminationPass.h"
+#include "ShadowMaps.h"
+#include "ShadowVolume.h"
 #include "StandInBox.h"
 #include "VolumeTextures.h"
 
@@ -41,6 +43,10 @@ public:
 
   VolumeTextures& GetTextures() { return this->Textures; }
   const VolumeTextures& GetTextures() const { return this->Textures; }
+  ShadowVolume& GetVolumeOfShadows() { return this->VolumeOfShadows; }
+  ShadowMaps& GetMapsOfShadows() { return this->MapsOfShadows; }
+  const ShadowVolume& GetVolumeOfShadows() const { return this->VolumeOfShadows; }
+  const ShadowMaps& GetMapsOfShadows() const { return this->MapsOfShadows; }
   EnvironmentTextures& GetEnvironment() { return this->Environment; }
   const vtkIlluminationPass* GetPass() const { return this->Pass; }
 
@@ -55,6 +61,8 @@ private:
     int LastStep = 0;
   };
 
+  std::array<ShadowCache*, 2> GetCaches();
+  bool UpdateShadows();
   bool Gather(vtkRenderer* renderer, const AccumulationBuffer::Viewport& viewport,
     double imageSampleDistance);
   void DrawPart(vtkRenderer* renderer, const Part& part);
@@ -64,6 +72,8 @@ private:
   StandInBox Box;
   VolumeTextures Textures;
   EnvironmentTextures Environment;
+  ShadowVolume VolumeOfShadows;
+  ShadowMaps MapsOfShadows;
   AccumulationBuffer Accumulation;
   const DrawnScene* Scene = nullptr;
   Part Current;

@@ -47,6 +47,8 @@ public:
   void DropEmptySpace(vtkOpenGLRenderWindow* window);
 
   bool HasNonFiniteScalars() const { return !this->Scalars.GetRange().AllFinite; }
+  vtkMTimeType GetScalarsTime() const { return this->ScalarsTime.GetMTime(); }
+  vtkMTimeType GetMaskTime() const { return this->MaskTime.GetMTime(); }
   bool HasMask() const { return this->LoadedMask != nullptr; }
   bool AreTransferFunctionsAccurate() const { return this->Table.Accurate; }
   TransferFunctionLookup GetLookup() const { return this->Table.Lookup; }

@@ -3,6 +3,7 @@
 #include "DrawnScene.h"
 #include "GradientNoise.h"
 #include "InteractiveResolution.h"
+#include "ShadowPreparation.h"
 #include "TakenOver.h"
 #include "VolumeDrawing.h"
 
@@ -102,6 +103,37 @@ double vtkIlluminatedVolumeMapper::GetActualShadowSampleDistance() const
 double vtkIlluminatedVolumeMapper::GetActualImageSampleDistance() const
 {
   return this->Internal->ImageSampleDistance;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkIlluminatedVolumeMapper::GetShadowBytes() const
+{
+  const VolumeDrawing& drawing = this->Internal->Drawing;
+  return drawing.GetVolumeOfShadows().GetBytes() + drawing.GetMapsOfShadows().GetBytes();
+}
+
+//------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetActualShadowResolution() const
+{
+  const DrawnScene& scene = this->Internal->Scene;
+  return std::max(scene.VolumeOfShadows.Resolution, scene.MapsOfShadows.Resolution);
+}
+
+//------------------------------------------------------------------------------
+int vtkIlluminatedVolumeMapper::GetNumberOfShadowUpdates() const
+{
+  const VolumeDrawing& drawing = this->Internal->Drawing;
+  return drawing.GetVolumeOfShadows().GetNumberOfUpdates() +
+    drawing.GetMapsOfShadows().GetNumberOfUpdates();
+}
+
+//------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetShadowUpdateSeconds() const
+{
+  const VolumeDrawing& drawing = this->Internal->Drawing;
+  return drawing.GetVolumeOfShadows().GetBytes() > 0
+    ? drawing.GetVolumeOfShadows().GetUpdateSeconds()
+    : drawing.GetMapsOfShadows().GetUpdateSeconds();
 }
 
 //------------------------------------------------------------------------------
@@ -271,7 +303,16 @@ void vtkIlluminatedVolumeMapper::DrawIlluminated(
   }
   this->PrepareLights(renderer, volume->GetProperty());
   this->PrepareMaterial(window, volume->GetProperty());
+  const ShadowSettings shadows = this->GetShadowSettings();
+  for (const std::string& message :
+    penumbra::PrepareShadows(shadows, window, this->Internal->Scene, this->Internal->Drawing))
+  {
+    this->Say(message);
+  }
   this->PlanDraws();
+  LookUpShadows(shadows, this->Internal->Scene);
+  this->Internal->Scene.Matter = DescribeShadowingMatter(
+    this->Internal->Scene, this->Internal->Drawing.GetTextures(), volume->GetProperty());
   if (this->Internal->AnythingVisible)
   {
     this->DrawInTime(renderer, volume->GetAllocatedRenderTime());
@@ -291,11 +332,15 @@ void vtkIlluminatedVolumeMapper::DrawInTime(vtkRenderer* renderer, double alloca
   }
   internal.ImageSampleDistance =
     std::max(internal.ImageSampleDistance, internal.Resolution.FindDistance(allocatedSeconds));
+  const int updates = this->GetNumberOfShadowUpdates();
   const double begin = vtkTimerLog::GetUniversalTime();
   this->Draw(renderer);
   internal.Window->WaitForCompletion();
+  // What is kept costs the same for any number of rays.
+  const double kept =
+    this->GetNumberOfShadowUpdates() > updates ? this->GetShadowUpdateSeconds() : 0.0;
   internal.Resolution.Measure(
-    internal.ImageSampleDistance, vtkTimerLog::GetUniversalTime() - begin);
+    internal.ImageSampleDistance, vtkTimerLog::GetUniversalTime() - begin - kept);
 }
 
 //------------------------------------------------------------------------------
@@ -549,6 +594,20 @@ void vtkIlluminatedVolumeMapper::PrepareNoiseFading(vtkVolumeProperty* property)
 }
 
 //------------------------------------------------------------------------------
+ShadowSettings vtkIlluminatedVolumeMapper::GetShadowSettings()
+{
+  ShadowSettings settings;
+  if (this->ShadowTechnique != Auto && this->Internal->AnythingVisible)
+  {
+    settings.Technique = static_cast<penumbra::ShadowTechnique>(this->ShadowTechnique - Rays);
+  }
+  settings.Resolution = this->ShadowResolution;
+  settings.NearSteps = this->ShadowNearSteps;
+  settings.MemoryLimit = this->ShadowMemoryLimit;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedVolumeMapper::PlanDraws()
 {
   DrawnScene& scene = this->Internal->Scene;
@@ -557,8 +616,16 @@ void vtkIlluminatedVolumeMapper::PlanDraws()
   task.SampleDistance = this->GetSampleDistanceOrDefault();
   task.ShadowSampleDistance = IsStepLength(this->ShadowSampleDistance) ? this->ShadowSampleDistance
                                                                        : 2.0 * task.SampleDistance;
+  if (!scene.ShadowCasters.empty())
+  {
+    // What is kept is marched once: with half the step, interpolation is all the error there is.
+    task.ShadowSampleDistance *= 0.5;
+  }
   task.Lights = scene.Requirements.GetNumberOfLights();
-  task.ShadowedLights = scene.Requirements.GetNumberOfShadowedLights();
+  task.LookedUpShadows = static_cast<int>(scene.ShadowCasters.size());
+  task.ShadowMaps = scene.MapsOfShadows.Lights > 0;
+  task.ShadowNearSteps = this->ShadowNearSteps;
+  task.ShadowedLights = scene.Requirements.GetNumberOfShadowedLights() - task.LookedUpShadows;
   task.LookupIterations = scene.Requirements.Opacity == TransferFunctionLookup::Points
     ? this->Internal->Drawing.GetTextures().GetLookupIterations()
     : 0;
@@ -605,7 +672,12 @@ void vtkIlluminatedVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ShadowTechnique: " << (this->ShadowTechnique == Rays ? "Rays" : "Auto") << "\n";
+  static const char* const techniques[] = { "Auto", "Rays", "Volume", "Map", "DeepMap" };
+  os << indent << "ShadowTechnique: " << techniques[this->ShadowTechnique] << "\n";
+  os << indent << "ShadowResolution: " << this->ShadowResolution << "\n";
+  os << indent << "ShadowNearSteps: " << this->ShadowNearSteps << "\n";
+  os << indent << "ShadowMemoryLimit: " << this->ShadowMemoryLimit << "\n";
+  os << indent << "ShadowBytes: " << this->GetShadowBytes() << "\n";
   os << indent << "ShadowSampleDistance: " << this->ShadowSampleDistance << "\n";
   os << indent << "GradientEstimator: " << this->GradientEstimator << "\n";
   os << indent << "GradientTextureBits: " << this->GradientTextureBits << "\n";

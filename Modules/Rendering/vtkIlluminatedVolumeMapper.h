@@ -52,6 +52,11 @@ class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkVolumeProperty;
 
+namespace penumbra
+{
+struct ShadowSettings;
+}
+
 class PENUMBRARENDERING_EXPORT vtkIlluminatedVolumeMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
 public:
@@ -62,7 +67,10 @@ public:
   enum ShadowTechniqueType
   {
     Auto = 0,
-    Rays = 1
+    Rays = 1,
+    Volume = 2,
+    Map = 3,
+    DeepMap = 4
   };
 
   /// The values are those of penumbra::GradientEstimator.
@@ -86,13 +94,58 @@ public:
   ///@{
   /**
    * How shadows are computed. Rays marches a ray towards each shadowed light from every sample that
-   * the light can brighten; it is the definition of the shadow. Auto chooses; for now it is Rays.
-   * Default: Auto.
+   * the light can brighten; it is the definition of the shadow. Volume marches them beforehand over
+   * the whole volume, where they are kept until the light, the opacity or what is hidden changes,
+   * and looks them up. DeepMap keeps, for each light, how dark it grows along its rays, as a
+   * function of eight nodes a texel; Map, for hard shadows, where these rays are first hidden, and
+   * filters the shadows' edges. Auto chooses; for now it is Rays. Default: Auto.
    */
-  vtkSetClampMacro(ShadowTechnique, int, Auto, Rays);
+  vtkSetClampMacro(ShadowTechnique, int, Auto, DeepMap);
   vtkGetMacro(ShadowTechnique, int);
   void SetShadowTechniqueToAuto() { this->SetShadowTechnique(Auto); }
   void SetShadowTechniqueToRays() { this->SetShadowTechnique(Rays); }
+  void SetShadowTechniqueToVolume() { this->SetShadowTechnique(Volume); }
+  void SetShadowTechniqueToMap() { this->SetShadowTechnique(Map); }
+  void SetShadowTechniqueToDeepMap() { this->SetShadowTechnique(DeepMap); }
+  ///@}
+
+  ///@{
+  /**
+   * Texels of kept shadows to a voxel along each axis. 1 has the resolution of the data. It falls
+   * where the memory limit or OpenGL's largest texture ask for it, and a message says so. Range:
+   * more than 0. Default: 1.
+   */
+  vtkSetClampMacro(ShadowResolution, double, 1e-3, 16.0);
+  vtkGetMacro(ShadowResolution, double);
+  ///@}
+
+  ///@{
+  /**
+   * With kept shadows, the first steps of a sample's shadow ray are marched and what is kept counts
+   * beyond them only: matter changes fastest where the sample is. Range: 0 or more. Default: 4.
+   */
+  vtkSetClampMacro(ShadowNearSteps, int, 0, 1024);
+  vtkGetMacro(ShadowNearSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Memory that kept shadows may take on the graphics card, in MiB. Range: 1 or more. Default: 512.
+   */
+  vtkSetClampMacro(ShadowMemoryLimit, int, 1, VTK_INT_MAX);
+  vtkGetMacro(ShadowMemoryLimit, int);
+  ///@}
+
+  ///@{
+  /**
+   * What is kept of shadows after the last Render(): bytes, texels a voxel, how many lights were
+   * computed since this mapper was made, and the seconds that the last computation of any took. 0
+   * where nothing is kept.
+   */
+  std::size_t GetShadowBytes() const;
+  double GetActualShadowResolution() const;
+  int GetNumberOfShadowUpdates() const;
+  double GetShadowUpdateSeconds() const;
   ///@}
 
   ///@{
@@ -261,6 +314,7 @@ protected:
   void PrepareGradients(vtkOpenGLRenderWindow* window);
   bool PrepareEmptySpace();
   void PrepareNoiseFading(vtkVolumeProperty* property);
+  penumbra::ShadowSettings GetShadowSettings();
   void PlanDraws();
   void DrawInTime(vtkRenderer* renderer, double allocatedSeconds);
   void Draw(vtkRenderer* renderer);
@@ -269,6 +323,9 @@ protected:
 
   int ShadowTechnique = Auto;
   double ShadowSampleDistance = 0.0;
+  double ShadowResolution = 1.0;
+  int ShadowNearSteps = 4;
+  int ShadowMemoryLimit = 512;
   int GradientEstimator = CentralDifferences;
   int GradientTextureBits = 0;
   int OpticalModel = ByShade;

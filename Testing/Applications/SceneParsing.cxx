@@ -235,14 +235,15 @@ TEST_CASE("A volume's mistakes are named")
   CHECK_THAT(RawMessageOf(mistake.volume), Catch::Matchers::ContainsSubstring(mistake.message));
 }
 
-TEST_CASE("What is not built yet is refused by its name")
+TEST_CASE("Shadow techniques are known by their names, and by no others")
 {
-  const auto scene = GENERATE(values<std::string>({
-    R"(, "shadows": { "technique": "volume" })",
-    R"(, "shadows": { "technique": "map" })",
-    R"(, "shadows": { "technique": "deep-map" })",
-  }));
-  CHECK_THAT(MessageOf(scene), Catch::Matchers::ContainsSubstring("not available yet"));
+  const auto [name, technique] =
+    GENERATE(table<std::string, TechniqueChoice>({ { "auto", TechniqueChoice::Auto },
+      { "rays", TechniqueChoice::Rays }, { "volume", TechniqueChoice::Volume },
+      { "map", TechniqueChoice::Map }, { "deep-map", TechniqueChoice::DeepMap } }));
+  CHECK(Parse(R"(, "shadows": { "technique": ")" + name + R"(" })").Shadows.Technique == technique);
+  CHECK_THAT(MessageOf(R"(, "shadows": { "technique": "maps" })"),
+    Catch::Matchers::ContainsSubstring("deep-map"));
 }
 
 TEST_CASE("A key that stands twice in one object is refused")

@@ -1,9 +1,10 @@
 // Semi-transparent occluders dim the light by their transmittance.
 
-float softVisibility(vec3 position, ShadowSegment towardsLight)
+const float DarkestDepth = 6.24; // transmittances beyond it are below half of 1 / 255
+
+float softVisibility(vec3 position, int light, ShadowSegment towardsLight)
 {
-  return exp(-opticalDepth(position, towardsLight.direction, towardsLight.begin, towardsLight.end,
-    towardsLight.enough));
+  return exp(-shadowDepth(position, light, towardsLight, DarkestDepth));
 }
 
 void addSoftLight(ShadedPoint point, int light, Illumination illumination, inout Reflection sum)
@@ -11,5 +12,5 @@ void addSoftLight(ShadedPoint point, int light, Illumination illumination, inout
   Reflection reflected = reflectLight(point, light, illumination);
   illumination.segment.end = shadowReach(reflected, illumination.segment.end);
   illumination.segment.enough = darkeningDepth(reflected);
-  addReflection(sum, reflected, softVisibility(point.position, illumination.segment));
+  addReflection(sum, reflected, softVisibility(point.position, light, illumination.segment));
 }

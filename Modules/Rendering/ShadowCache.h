@@ -1,0 +1,101 @@
+/**
+ * @file    ShadowCache.h
+ * @brief   shadows that are computed on the GPU before the picture, and kept
+ *
+ * What has not changed since the last picture stays: a light that moves costs its own part only.
+ */
+
+#ifndef ShadowCache_h
+#define ShadowCache_h
+
+#include "LightUniforms.h"
+#include "ShadowingMatter.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkTextureObject.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace penumbra
+{
+
+struct DrawnScene;
+class VolumeTextures;
+
+class ShadowCache
+{
+public:
+  virtual ~ShadowCache() = default;
+
+  /// Computes what has changed since the last call. The volume's textures are active. False where
+  /// the program could not be built.
+  bool Update(
+    vtkOpenGLRenderWindow* window, const DrawnScene& scene, const VolumeTextures& textures);
+
+  void Activate();
+  void Deactivate();
+  virtual void SetUniforms(vtkShaderProgram* program, const DrawnScene& scene) = 0;
+
+  /// How many lights were computed since this object was made.
+  int GetNumberOfUpdates() const { return this->NumberOfUpdates; }
+  /// What the last computation took by the clock, until OpenGL was done.
+  double GetUpdateSeconds() const { return this->UpdateSeconds; }
+  std::size_t GetBytes() const { return this->Texture->GetHandle() ? this->Bytes : 0; }
+
+  void Release(vtkOpenGLRenderWindow* window);
+
+protected:
+  /// What one light's draws go to.
+  struct Filling
+  {
+    vtkOpenGLRenderWindow* Window;
+    vtkOpenGLQuadHelper* Quad;
+    const DrawnScene* Scene;
+  };
+
+  virtual std::string GetSource(const LightingRequirements& requirements) const = 0;
+  /// Of the framebuffer.
+  virtual std::array<int, 2> GetSize() const = 0;
+  virtual void FillLight(const Filling& filling, int slot) = 0;
+
+  /// Makes the texture anew.
+  bool Create(vtkOpenGLRenderWindow* window, const std::array<int, 3>& texels, int components,
+    int scalarType, int filter);
+  /// Keeps room for as many lights; those that stay are as they were.
+  void Resize(int lights);
+  /// Lets the next draw go to slices of the texture, the first one and those behind it.
+  void Attach(int firstSlice, int slices);
+  /// Covers the framebuffer by draws that are short; rays: times that a fragment marches a ray.
+  void Draw(const Filling& filling, double rays);
+
+  vtkNew<vtkTextureObject> Texture;
+
+private:
+  bool Fill(vtkOpenGLRenderWindow* window, const DrawnScene& scene, const VolumeTextures& textures,
+    const std::vector<int>& slots);
+
+  ShadowingMatter Matter;
+  std::vector<std::optional<ShadowCaster>> Held;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  std::size_t Bytes = 0;
+  int Attached = 0;
+  int NumberOfUpdates = 0;
+  double UpdateSeconds = 0.0;
+};
+
+/// The optical depth that is told apart from what is more, of ShadowSoft.glsl and
+/// ShadowHardEdge.glsl.
+float GetLargestDepth(const ShadowCaster& caster);
+
+}
+
+#endif

@@ -1,0 +1,70 @@
+#include "ShadowMaps.h"
+
+#include "DrawnScene.h"
+#include "MatrixUniforms.h"
+#include "ShaderSource.h"
+
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkShaderProgram.h"
+
+namespace penumbra
+{
+
+//------------------------------------------------------------------------------
+bool ShadowMaps::Allocate(vtkOpenGLRenderWindow* window, const ShadowMapPlan& plan)
+{
+  const bool same = this->Texture->GetHandle() && plan.Texels == this->Plan.Texels &&
+    plan.Lights == this->Plan.Lights;
+  this->Plan = plan;
+  if (!same)
+  {
+    this->Release(window);
+  }
+  this->Resize(plan.Lights);
+  if (same || plan.Lights == 0)
+  {
+    return true;
+  }
+  return this->Create(window, { plan.Texels, plan.Texels, plan.GetNumberOfSlices() }, 4, VTK_FLOAT,
+    vtkTextureObject::Nearest);
+}
+
+//------------------------------------------------------------------------------
+std::string ShadowMaps::GetSource(const LightingRequirements& requirements) const
+{
+  return GetShadowMapSource(requirements);
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 2> ShadowMaps::GetSize() const
+{
+  return { this->Plan.Texels, this->Plan.Texels };
+}
+
+//------------------------------------------------------------------------------
+void ShadowMaps::FillLight(const Filling& filling, int slot)
+{
+  // Of the root of the optical depth over the largest: of a soft shadow's visibility a hundredth.
+  constexpr double tolerance = 0.005;
+  // Half of the texels take a wider tolerance.
+  constexpr double marches = 2.0;
+  const ShadowCaster& caster = filling.Scene->ShadowCasters[slot];
+  const LightSpace& space = filling.Scene->LightSpaces[slot];
+  vtkShaderProgram* program = filling.Quad->Program;
+  SetUniform(program, "scene_lightToTexture", space.LightToTexture);
+  program->SetUniformi("scene_mapProjection", static_cast<int>(space.Projection));
+  SetUniform(program, "scene_mapExtent", space.Extent);
+  SetUniform(program, "scene_mapLargestDepth", GetLargestDepth(caster));
+  SetUniform(program, "scene_mapFirstHit", caster.FirstHit ? caster.Enough : -1.0);
+  SetUniform(program, "scene_mapTolerance", tolerance);
+  this->Attach(ShadowMapPlan::SlicesPerLight * slot, ShadowMapPlan::SlicesPerLight);
+  this->Draw(filling, marches);
+}
+
+//------------------------------------------------------------------------------
+void ShadowMaps::SetUniforms(vtkShaderProgram* program, const DrawnScene&)
+{
+  SetSampler(program, "scene_shadowMaps", this->Texture);
+}
+
+}

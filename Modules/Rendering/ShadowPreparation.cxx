@@ -1,0 +1,169 @@
+#include "ShadowPreparation.h"
+
+#include "VolumeDrawing.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+namespace
+{
+std::size_t GetLargestBytes(const ShadowSettings& settings)
+{
+  constexpr std::size_t bytesPerMiB = std::size_t(1) << 20;
+  return static_cast<std::size_t>(settings.MemoryLimit) * bytesPerMiB;
+}
+
+ShadowVolumePlan PlanVolume(
+  const ShadowSettings& settings, vtkOpenGLRenderWindow* window, const DrawnScene& scene)
+{
+  const VolumePlacement& placement = scene.Placement;
+  ShadowVolumeTask task;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    task.Voxels[axis] =
+      (placement.BoxHigh[axis] - placement.BoxLow[axis]) * placement.Dimensions[axis];
+  }
+  task.Resolution = settings.Resolution;
+  task.Lights = static_cast<int>(scene.ShadowCasters.size());
+  task.LargestSize = vtkTextureObject::GetMaximumTextureSize3D(window);
+  task.LargestBytes = GetLargestBytes(settings);
+  return PlanShadowVolume(task);
+}
+
+ShadowMapPlan PlanMaps(
+  const ShadowSettings& settings, vtkOpenGLRenderWindow* window, const DrawnScene& scene)
+{
+  ShadowMapTask task;
+  // The same wherever lights are, so that one that moves leaves the others' maps.
+  task.Span = scene.Placement.GetDiagonal() / scene.Placement.SmallestSpacing;
+  task.Resolution = settings.Resolution;
+  task.Lights = static_cast<int>(scene.ShadowCasters.size());
+  task.LargestSize = vtkTextureObject::GetMaximumTextureSize3D(window);
+  task.LargestBytes = GetLargestBytes(settings);
+  return PlanShadowMaps(task);
+}
+
+void MakeLightSpaces(DrawnScene& scene)
+{
+  const bool firstHits = scene.Requirements.Technique == ShadowTechnique::Map;
+  for (ShadowCaster& caster : scene.ShadowCasters)
+  {
+    // A map is the same wherever samples' rays begin.
+    caster.Begin = 0.0f;
+    caster.FirstHit = firstHits && caster.Hard;
+    scene.LightSpaces.push_back(ComputeLightSpace(scene.Placement, caster.Place));
+  }
+}
+
+// Places for lights, and whether their texels are fewer than asked.
+struct Room
+{
+  int Lights = 0;
+  bool Coarsened = false;
+  bool Made = true;
+};
+
+Room MakeRoom(const ShadowSettings& settings, vtkOpenGLRenderWindow* window, DrawnScene& scene,
+  VolumeDrawing& drawing)
+{
+  scene.LightSpaces.clear();
+  scene.VolumeOfShadows = {};
+  scene.MapsOfShadows = {};
+  Room room;
+  if (!scene.ShadowCasters.empty())
+  {
+    scene.Requirements.Technique = settings.Technique;
+    if (settings.Technique == ShadowTechnique::Volume)
+    {
+      scene.VolumeOfShadows = PlanVolume(settings, window, scene);
+      room = { scene.VolumeOfShadows.Lights, scene.VolumeOfShadows.Coarsened };
+    }
+    else
+    {
+      MakeLightSpaces(scene);
+      scene.MapsOfShadows = PlanMaps(settings, window, scene);
+      room = { scene.MapsOfShadows.Lights, scene.MapsOfShadows.Coarsened };
+    }
+  }
+  room.Made = drawing.GetVolumeOfShadows().Allocate(window, scene.VolumeOfShadows) &&
+    drawing.GetMapsOfShadows().Allocate(window, scene.MapsOfShadows);
+  return room;
+}
+
+void KeepNothing(vtkOpenGLRenderWindow* window, DrawnScene& scene, VolumeDrawing& drawing)
+{
+  scene.ShadowCasters.clear();
+  scene.Requirements.Technique = ShadowTechnique::Rays;
+  MakeRoom({}, window, scene, drawing);
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> PrepareShadows(const ShadowSettings& settings,
+  vtkOpenGLRenderWindow* window, DrawnScene& scene, VolumeDrawing& drawing)
+{
+  std::vector<std::string> messages;
+  scene.ShadowCasters.clear();
+  if (settings.Technique != ShadowTechnique::Rays)
+  {
+    scene.ShadowCasters = scene.Lights.GetShadowCasters(scene.Requirements);
+  }
+  const auto casters = static_cast<int>(scene.ShadowCasters.size());
+  const Room room = MakeRoom(settings, window, scene, drawing);
+  if (!room.Made)
+  {
+    messages.emplace_back("The graphics card cannot hold shadows; their rays are marched.");
+  }
+  if (!room.Made || room.Lights == 0)
+  {
+    KeepNothing(window, scene, drawing);
+    return messages;
+  }
+  scene.ShadowCasters.resize(room.Lights);
+  scene.LightSpaces.resize(std::min<std::size_t>(scene.LightSpaces.size(), room.Lights));
+  if (room.Coarsened)
+  {
+    messages.emplace_back(
+      "Kept shadows are coarser than asked: they would take more memory than is allowed.");
+  }
+  if (room.Lights < casters)
+  {
+    messages.push_back("Shadows of " + std::to_string(room.Lights) +
+      " lights are kept; those of the other " + std::to_string(casters - room.Lights) +
+      " are marched.");
+  }
+  if (settings.Technique == ShadowTechnique::Map &&
+    scene.Requirements.GetNumberOfLights(ShadowKind::Soft) > 0)
+  {
+    messages.emplace_back(
+      "A map of first hits tells hard shadows only; soft ones are kept as deep maps.");
+  }
+  return messages;
+}
+
+//------------------------------------------------------------------------------
+void LookUpShadows(const ShadowSettings& settings, DrawnScene& scene)
+{
+  if (scene.ShadowCasters.empty())
+  {
+    return;
+  }
+  const double marched = settings.NearSteps * scene.Plan.ShadowSampleDistance;
+  if (scene.Requirements.Technique != ShadowTechnique::Volume)
+  {
+    scene.Lights.LookUpMaps(scene.Requirements, scene.LightSpaces, marched);
+    return;
+  }
+  scene.Lights.LookUpVolume(
+    scene.Requirements, scene.VolumeOfShadows.Lights, scene.VolumeOfShadows.Blocks, marched);
+  for (ShadowCaster& caster : scene.ShadowCasters)
+  {
+    caster.Begin += static_cast<float>(marched);
+  }
+}
+
+}

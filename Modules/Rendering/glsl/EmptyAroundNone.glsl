@@ -1,0 +1,4 @@
+bool emptyAround(vec3 position, vec3 reach)
+{
+  return false;
+}

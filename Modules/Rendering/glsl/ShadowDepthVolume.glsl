@@ -1,0 +1,29 @@
+// Optical depth towards a light, computed beforehand over the visible box: up to four lights to a texel's
+// components, further ones in blocks of slices behind each other. Texel centres reach from face to face
+// of the box, so that nothing of another block or from outside the box is mixed in. A texel holds the root
+// of the depth over the largest that is told apart: behind a smooth surface the depth grows with the square
+// of the distance, so that its root is what interpolation follows best, and what eight bits tell best.
+//
+// Near the sample matter changes faster than texels tell: the first steps towards the light are marched,
+// and texels hold what lies beyond as many.
+
+uniform sampler3D scene_shadowVolume;
+uniform vec3 scene_shadowVolumeScale;            // texture coordinates of the volume to those of a block
+uniform vec3 scene_shadowVolumeOffset;
+uniform vec4 scene_lightShadowComponent[LIGHTS]; // 1 for the light's component; all 0: nothing is kept
+uniform vec2 scene_lightShadowVolume[LIGHTS];    // where its block begins; length that is marched
+
+float shadowDepth(vec3 position, int light, ShadowSegment towardsLight, float largest)
+{
+  vec3 texel = position * scene_shadowVolumeScale + scene_shadowVolumeOffset;
+  texel.z += scene_lightShadowVolume[light].x;
+  float root = dot(texture(scene_shadowVolume, texel), scene_lightShadowComponent[light]);
+  float depth = largest * root * root;
+  float marched = scene_lightShadowVolume[light].y;
+  if (marched > 0.0)
+  {
+    depth += opticalDepth(position, towardsLight.direction, towardsLight.begin,
+      min(towardsLight.begin + marched, towardsLight.end), towardsLight.enough);
+  }
+  return depth;
+}

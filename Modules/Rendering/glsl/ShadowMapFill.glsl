@@ -1,0 +1,141 @@
+// One light's deep shadow map: along the ray of each texel the darkness, as the piecewise linear function
+// of eight nodes or fewer that stays within a tolerance of it (Lokovic and Veach 2000). The tolerance grows
+// where eight are too few. Or a shadow map: two nodes, at the first hit.
+
+in vec2 texCoord;
+uniform mat4 scene_lightToTexture;
+uniform int scene_mapProjection;
+uniform float scene_mapExtent;
+uniform float scene_mapLargestDepth; // that is told apart
+uniform float scene_mapFirstHit;     // optical depth of it; less than 0: none is made
+uniform float scene_mapTolerance;
+
+const int Nodes = 8;
+const float Nowhere = 1e30;
+const float WidestTolerance = 1.0; // that every function is within
+
+struct MapRay
+{
+  vec3 origin;
+  vec3 direction;
+  float begin;
+  float end;
+};
+
+float darknessOf(float depth)
+{
+  return sqrt(min(depth / scene_mapLargestDepth, 1.0));
+}
+
+float mapStepDepth(inout RayEnd rayEnd, MapRay ray, float at, float stepLength)
+{
+  vec3 middle = ray.origin + ray.direction * (at + 0.5 * stepLength);
+  SegmentMatter matter;
+  return segmentDepth(rayEnd, middle, ray.direction, stepLength, matter);
+}
+
+// The least and the largest slope from a node to within the tolerance of a point.
+vec2 slopesTo(vec2 node, vec2 point, float tolerance)
+{
+  float run = max(point.x - node.x, 1e-20);
+  return vec2(max(point.y - tolerance - node.y, 0.0), point.y + tolerance - node.y) / run;
+}
+
+// False where the nodes are too few. Every line from the last node keeps within the slopes so far; the first
+// point that none of them reaches makes a node of the point before it.
+bool followDarkness(MapRay ray, float tolerance, out vec2 node[Nodes])
+{
+  for (int i = 0; i < Nodes; ++i)
+  {
+    node[i] = vec2(ray.begin, 0.0);
+  }
+  int last = 0;
+  vec2 slopes = vec2(0.0, Nowhere);
+  vec2 before = node[0];
+  float depth = 0.0;
+  RayEnd rayEnd = rayEndAt(ray.origin + ray.direction * ray.begin);
+  for (float at = ray.begin; at < ray.end && depth < scene_mapLargestDepth; at += scene_shadowSampleDistance)
+  {
+    float stepLength = min(scene_shadowSampleDistance, ray.end - at);
+    depth += mapStepDepth(rayEnd, ray, at, stepLength);
+    vec2 here = vec2(at + stepLength, darknessOf(depth));
+    vec2 reaching = slopesTo(node[last], here, tolerance);
+    vec2 both = vec2(max(slopes.x, reaching.x), min(slopes.y, reaching.y));
+    if (both.x > both.y)
+    {
+      if (last == Nodes - 2)
+      {
+        return false;
+      }
+      vec2 next = vec2(before.x, node[last].y + 0.5 * (slopes.x + slopes.y) * (before.x - node[last].x));
+      node[++last] = next;
+      both = slopesTo(next, here, tolerance);
+    }
+    slopes = both;
+    before = here;
+  }
+  float rise = slopes.y < Nowhere ? 0.5 * (slopes.x + slopes.y) * (before.x - node[last].x) : 0.0;
+  vec2 end = vec2(before.x, min(node[last].y + rise, 1.0));
+  node[++last] = end;
+  for (int i = 0; i < Nodes; ++i)
+  {
+    node[i] = i > last ? vec2(Nowhere, end.y) : node[i];
+  }
+  return true;
+}
+
+float firstHit(MapRay ray)
+{
+  float depth = 0.0;
+  RayEnd rayEnd = rayEndAt(ray.origin + ray.direction * ray.begin);
+  for (float at = ray.begin; at < ray.end; at += scene_shadowSampleDistance)
+  {
+    float stepLength = min(scene_shadowSampleDistance, ray.end - at);
+    float added = mapStepDepth(rayEnd, ray, at, stepLength);
+    if (depth + added > scene_mapFirstHit)
+    {
+      return at + stepLength * (scene_mapFirstHit - depth) / added;
+    }
+    depth += added;
+  }
+  return Nowhere;
+}
+
+void main()
+{
+  vec3 origin;
+  vec3 direction;
+  mapRayOf(texCoord, scene_mapProjection, scene_mapExtent, origin, direction);
+  MapRay ray;
+  ray.origin = (scene_lightToTexture * vec4(origin, 1.0)).xyz;
+  ray.direction = (scene_lightToTexture * vec4(direction, 0.0)).xyz;
+  vec2 visible = keptByPlanes(insideBox(ray.origin, ray.direction), ray.origin, ray.direction);
+  ray.begin = max(visible.x, 0.0);
+  ray.end = visible.y;
+  vec2 node[Nodes];
+  if (ray.end <= ray.begin)
+  {
+    // A ray beside the matter tells nothing.
+    node[0] = vec2(-1.0, 0.0);
+  }
+  else if (scene_mapFirstHit >= 0.0)
+  {
+    float hit = firstHit(ray);
+    node[0] = vec2(hit, 0.0);
+    node[1] = vec2(hit, hit < Nowhere ? 1.0 : 0.0);
+    node[2] = vec2(Nowhere, node[1].y);
+    node[3] = node[2];
+  }
+  else
+  {
+    float tolerance = scene_mapTolerance;
+    while (!followDarkness(ray, tolerance, node))
+    {
+      tolerance = min(3.0 * tolerance, WidestTolerance);
+    }
+  }
+  gl_FragData[0] = vec4(node[0], node[1]);
+  gl_FragData[1] = vec4(node[2], node[3]);
+  gl_FragData[2] = vec4(node[4], node[5]);
+  gl_FragData[3] = vec4(node[6], node[7]);
+}
