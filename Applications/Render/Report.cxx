@@ -149,6 +149,7 @@ std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
   report["brightness"] = DescribeBrightness(frames.Picture);
   report["reference"] = DescribeReference(frames.Reference);
   report["technique"] = NameOfTechnique(mapper);
+  report["techniqueReason"] = mapper ? mapper->GetShadowTechniqueReason() : "";
   report["keptShadows"] = DescribeKeptShadows(mapper);
   report["requirements"] = requirements;
   report["emptySpace"] = DescribeEmptySpace(mapper);
@@ -181,7 +182,9 @@ std::string ExplainRequirements(vtkIlluminatedVolumeMapper* mapper)
       leftOut << "  " << entry.Name << "\n";
     }
   }
-  return "This scene needs\n" + needed.str() + "and leaves out\n" + leftOut.str();
+  const std::string shadows =
+    "Shadows by " + NameOfTechnique(mapper) + ": " + mapper->GetShadowTechniqueReason() + "\n";
+  return "This scene needs\n" + needed.str() + "and leaves out\n" + leftOut.str() + shadows;
 }
 
 }

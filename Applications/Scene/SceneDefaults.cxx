@@ -49,10 +49,6 @@ void ResolveScene(SceneDescription& scene, vtkImageData* image)
   const double smallest = SmallestSpacing(image);
   scene.SampleDistance = scene.SampleDistance.value_or(0.5 * smallest);
   scene.Shadows.SampleDistance = scene.Shadows.SampleDistance.value_or(2.0 * *scene.SampleDistance);
-  if (scene.Shadows.Technique == TechniqueChoice::Auto)
-  {
-    scene.Shadows.Technique = TechniqueChoice::Rays;
-  }
   for (LightDescription& light : scene.Lights)
   {
     light.ShadowBias = light.ShadowBias.value_or(smallest);

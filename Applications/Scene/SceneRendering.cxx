@@ -37,6 +37,7 @@ void CopySettings(vtkGPUVolumeRayCastMapper* from, vtkGPUVolumeRayCastMapper* to
   {
     target->SetShadowTechnique(source->GetShadowTechnique());
     target->SetShadowSampleDistance(source->GetShadowSampleDistance());
+    target->SetShadowTolerance(source->GetShadowTolerance());
     target->SetShadowResolution(source->GetShadowResolution());
     target->SetShadowNearSteps(source->GetShadowNearSteps());
     target->SetGradientEstimator(source->GetGradientEstimator());

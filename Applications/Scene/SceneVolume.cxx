@@ -70,6 +70,7 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(const SceneDescriptio
   {
     auto mapper = vtkSmartPointer<vtkIlluminatedVolumeMapper>::New();
     mapper->SetShadowTechnique(ShadowTechniqueOf(scene.Shadows.Technique));
+    mapper->SetShadowTolerance(scene.Shadows.Tolerance);
     mapper->SetShadowResolution(scene.Shadows.Resolution);
     if (scene.Shadows.NearSteps)
     {

@@ -223,6 +223,7 @@ bool ComputeVolumePlacement(
   image->GetDimensions(placement.Dimensions.data());
   const double* spacing = image->GetSpacing();
   placement.SmallestSpacing = std::numeric_limits<double>::max();
+  placement.LargestSpacing = 0.0;
   placement.MeanSpacing = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -231,6 +232,7 @@ bool ComputeVolumePlacement(
     placement.FullBoxLow[axis] = margin;
     placement.FullBoxHigh[axis] = 1.0 - margin;
     placement.SmallestSpacing = std::min(placement.SmallestSpacing, std::abs(spacing[axis]));
+    placement.LargestSpacing = std::max(placement.LargestSpacing, std::abs(spacing[axis]));
     placement.MeanSpacing += std::abs(spacing[axis]) / 3.0;
   }
   placement.BoxLow = placement.FullBoxLow;

@@ -53,6 +53,7 @@ struct PENUMBRARENDERING_EXPORT VolumePlacement
   Vector3 FullBoxLow{}; ///< the whole box
   Vector3 FullBoxHigh{};
   double SmallestSpacing = 1.0;
+  double LargestSpacing = 1.0;
   double MeanSpacing = 1.0;
 
   /// Shrinks the visible box to what both it and the given one hold. False where that is nothing.

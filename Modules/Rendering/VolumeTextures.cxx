@@ -320,6 +320,13 @@ void VolumeTextures::LoadGradientOpacity(
 }
 
 //------------------------------------------------------------------------------
+double VolumeTextures::GetLargestExtinction() const
+{
+  const auto& extinction = this->Table.Extinction;
+  return extinction.empty() ? 0.0 : *std::max_element(extinction.begin(), extinction.end());
+}
+
+//------------------------------------------------------------------------------
 int VolumeTextures::GetLookupIterations() const
 {
   if (this->Table.Lookup == TransferFunctionLookup::Table)

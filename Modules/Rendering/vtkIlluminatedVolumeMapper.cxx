@@ -3,6 +3,7 @@
 #include "DrawnScene.h"
 #include "GradientNoise.h"
 #include "InteractiveResolution.h"
+#include "ShadowChoice.h"
 #include "ShadowPreparation.h"
 #include "TakenOver.h"
 #include "VolumeDrawing.h"
@@ -63,6 +64,7 @@ public:
   InteractiveResolution Resolution;
   double ImageSampleDistance = 1.0; ///< of the last frame
   bool AnythingVisible = true;
+  std::string ShadowReason;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::vector<std::string> Messages;
   std::set<std::string> MessagesGiven;
@@ -103,6 +105,12 @@ double vtkIlluminatedVolumeMapper::GetActualShadowSampleDistance() const
 double vtkIlluminatedVolumeMapper::GetActualImageSampleDistance() const
 {
   return this->Internal->ImageSampleDistance;
+}
+
+//------------------------------------------------------------------------------
+const std::string& vtkIlluminatedVolumeMapper::GetShadowTechniqueReason() const
+{
+  return this->Internal->ShadowReason;
 }
 
 //------------------------------------------------------------------------------
@@ -303,7 +311,7 @@ void vtkIlluminatedVolumeMapper::DrawIlluminated(
   }
   this->PrepareLights(renderer, volume->GetProperty());
   this->PrepareMaterial(window, volume->GetProperty());
-  const ShadowSettings shadows = this->GetShadowSettings();
+  const ShadowSettings shadows = this->GetShadowSettings(renderer);
   for (const std::string& message :
     penumbra::PrepareShadows(shadows, window, this->Internal->Scene, this->Internal->Drawing))
   {
@@ -594,10 +602,21 @@ void vtkIlluminatedVolumeMapper::PrepareNoiseFading(vtkVolumeProperty* property)
 }
 
 //------------------------------------------------------------------------------
-ShadowSettings vtkIlluminatedVolumeMapper::GetShadowSettings()
+ShadowSettings vtkIlluminatedVolumeMapper::GetShadowSettings(vtkRenderer* renderer)
 {
   ShadowSettings settings;
-  if (this->ShadowTechnique != Auto && this->Internal->AnythingVisible)
+  this->Internal->ShadowReason = "as asked";
+  if (!this->Internal->AnythingVisible)
+  {
+    this->Internal->ShadowReason = "nothing is visible";
+  }
+  else if (this->ShadowTechnique == Auto)
+  {
+    const ShadowChoice choice = this->ChooseShadows(renderer);
+    settings.Technique = choice.Technique;
+    this->Internal->ShadowReason = choice.Reason;
+  }
+  else
   {
     settings.Technique = static_cast<penumbra::ShadowTechnique>(this->ShadowTechnique - Rays);
   }
@@ -605,6 +624,35 @@ ShadowSettings vtkIlluminatedVolumeMapper::GetShadowSettings()
   settings.NearSteps = this->ShadowNearSteps;
   settings.MemoryLimit = this->ShadowMemoryLimit;
   return settings;
+}
+
+//------------------------------------------------------------------------------
+ShadowChoice vtkIlluminatedVolumeMapper::ChooseShadows(vtkRenderer* renderer)
+{
+  const DrawnScene& scene = this->Internal->Scene;
+  const VolumePlacement& placement = scene.Placement;
+  const VolumeTextures& textures = this->Internal->Drawing.GetTextures();
+  ShadowChoiceTask task;
+  task.SoftLights = scene.Requirements.GetNumberOfLights(ShadowKind::Soft);
+  task.HardLights = scene.Requirements.GetNumberOfLights(ShadowKind::Hard);
+  task.VoxelDepth = textures.GetLargestExtinction() * placement.SmallestSpacing;
+  task.SpacingRatio = placement.LargestSpacing / placement.SmallestSpacing;
+  task.SteepOpacity = scene.Requirements.PreIntegrated;
+  const int* size = renderer->GetSize();
+  task.Pixels = 1.0 * size[0] * size[1];
+  task.VoxelsAcross = placement.GetDiagonal() / placement.SmallestSpacing;
+  task.Voxels = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    task.Voxels *=
+      1.0 + (placement.BoxHigh[axis] - placement.BoxLow[axis]) * placement.Dimensions[axis];
+  }
+  if (scene.Requirements.EmptySpaceSkipping)
+  {
+    task.Occupied = 1.0 * this->GetNumberOfOccupiedBricks() / this->GetNumberOfBricks();
+  }
+  task.Tolerance = this->ShadowTolerance;
+  return ChooseShadowTechnique(task);
 }
 
 //------------------------------------------------------------------------------
@@ -674,6 +722,7 @@ void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   static const char* const techniques[] = { "Auto", "Rays", "Volume", "Map", "DeepMap" };
   os << indent << "ShadowTechnique: " << techniques[this->ShadowTechnique] << "\n";
+  os << indent << "ShadowTolerance: " << this->ShadowTolerance << "\n";
   os << indent << "ShadowResolution: " << this->ShadowResolution << "\n";
   os << indent << "ShadowNearSteps: " << this->ShadowNearSteps << "\n";
   os << indent << "ShadowMemoryLimit: " << this->ShadowMemoryLimit << "\n";

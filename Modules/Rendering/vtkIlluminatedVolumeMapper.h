@@ -54,6 +54,7 @@ class vtkVolumeProperty;
 
 namespace penumbra
 {
+struct ShadowChoice;
 struct ShadowSettings;
 }
 
@@ -98,7 +99,9 @@ public:
    * the whole volume, where they are kept until the light, the opacity or what is hidden changes,
    * and looks them up. DeepMap keeps, for each light, how dark it grows along its rays, as a
    * function of eight nodes a texel; Map, for hard shadows, where these rays are first hidden, and
-   * filters the shadows' edges. Auto chooses; for now it is Rays. Default: Auto.
+   * filters the shadows' edges. Auto takes the cheapest of Rays, Volume and DeepMap whose predicted
+   * error is within ShadowTolerance; it depends on the scene alone, never on a clock. Default:
+   * Auto.
    */
   vtkSetClampMacro(ShadowTechnique, int, Auto, DeepMap);
   vtkGetMacro(ShadowTechnique, int);
@@ -108,6 +111,20 @@ public:
   void SetShadowTechniqueToMap() { this->SetShadowTechnique(Map); }
   void SetShadowTechniqueToDeepMap() { this->SetShadowTechnique(DeepMap); }
   ///@}
+
+  ///@{
+  /**
+   * Root mean square error of the picture, in grey levels of 255, that Auto may accept. Range: 0 or
+   * more. Default: 1.
+   */
+  vtkSetClampMacro(ShadowTolerance, double, 0.0, 255.0);
+  vtkGetMacro(ShadowTolerance, double);
+  ///@}
+
+  /**
+   * Why the last Render() took its shadow technique: one clause.
+   */
+  const std::string& GetShadowTechniqueReason() const;
 
   ///@{
   /**
@@ -314,7 +331,8 @@ protected:
   void PrepareGradients(vtkOpenGLRenderWindow* window);
   bool PrepareEmptySpace();
   void PrepareNoiseFading(vtkVolumeProperty* property);
-  penumbra::ShadowSettings GetShadowSettings();
+  penumbra::ShadowSettings GetShadowSettings(vtkRenderer* renderer);
+  penumbra::ShadowChoice ChooseShadows(vtkRenderer* renderer);
   void PlanDraws();
   void DrawInTime(vtkRenderer* renderer, double allocatedSeconds);
   void Draw(vtkRenderer* renderer);
@@ -323,6 +341,7 @@ protected:
 
   int ShadowTechnique = Auto;
   double ShadowSampleDistance = 0.0;
+  double ShadowTolerance = 1.0;
   double ShadowResolution = 1.0;
   int ShadowNearSteps = 4;
   int ShadowMemoryLimit = 512;

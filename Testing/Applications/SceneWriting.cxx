@@ -71,7 +71,7 @@ TEST_CASE("A saved scene spells every choice out")
     ParseJson(WriteScene(Resolved(R"({ "volume": { "file": "v.mhd" } })", "/a"), "/a"));
   CHECK(saved["sampleDistance"] == 0.35);
   CHECK(saved["shadows"]["sampleDistance"] == 0.7);
-  CHECK(saved["shadows"]["technique"] == "rays");
+  CHECK(saved["shadows"]["technique"] == "auto");
   CHECK(saved["lights"][0]["shadowBias"] == 0.7);
   CHECK(saved["transferFunction"]["opacityUnitDistance"] > 0.0);
   CHECK(saved["transferFunction"]["opacity"].size() > 1);

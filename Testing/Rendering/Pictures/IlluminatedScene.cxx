@@ -38,6 +38,7 @@ IlluminatedScene::IlluminatedScene(vtkImageData* image, int width, int height)
   property->ShadeOn();
 
   this->Mapper->SetInputData(image);
+  this->Mapper->SetShadowTechniqueToRays();
   this->Volume->SetMapper(this->Mapper);
   this->Renderer->AddVolume(this->Volume);
 

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Measures the shadow techniques' errors that the technique "auto" is calibrated by.
+
+usage: measure-shadow-errors.py PENUMBRA_RENDER FOLDER   FOLDER: engine.mhd, aneurism.mhd, headsq.mhd
+Writes ShadowErrors.inc and SteepShadowErrors.inc, which belong into Modules/Rendering.
+
+Errors are root mean squares over a picture of 256 x 256 pixels, in grey levels of 255, against rays of
+half the step. Those of a volume are divided by the ratio of the largest to the smallest spacing.
+"""
+import array, json, math, os, subprocess, sys, tempfile
+
+render, folder = sys.argv[1:3]
+SHAPES = {"fog": [[0, 0], [1, 0.03]], "soft": [[0, 0], [0.4, 0.06], [1, 0.3]],
+          "bone": [[0, 0], [0.12, 0.35], [0.4, 0.75], [1, 0.95]], "opaque": [[0, 0], [0.02, 0.9], [1, 0.98]]}
+SCENES = [("engine", "fog"), ("engine", "soft"), ("engine", "bone"), ("engine", "opaque"), ("aneurism", "bone"),
+          ("headsq", "soft"), ("headsq", "bone")]
+TECHNIQUES = ["rays", "volume", "deep-map"]
+
+
+def run(scene, work, *settings):
+    command = [render, scene, "--output", work + "/o.mha", "--report", work + "/r.json", "--save-scene", work + "/s.json"]
+    for setting in settings:
+        command += ["--set", setting]
+    subprocess.run(command, check=True, capture_output=True)
+    raw = open(work + "/o.mha", "rb").read()
+    values = array.array("f")
+    values.frombytes(raw[raw.index(b"\n", raw.index(b"ElementDataFile")) + 1:])
+    return values, json.load(open(work + "/r.json")), json.load(open(work + "/s.json"))
+
+
+def rmse(picture, truth):
+    squares = [((a - b) * 255) ** 2 for i, (a, b) in enumerate(zip(picture, truth)) if i % 4 < 3]
+    return math.sqrt(sum(squares) / len(squares))
+
+
+lines = {False: [], True: []}
+for volume, shape in SCENES:
+    with tempfile.TemporaryDirectory() as work:
+        _, report, scene = run(os.path.join(folder, volume + ".mhd"), work, "image.size=[256,256]")
+        points = scene["transferFunction"]["opacity"]
+        low, high = points[0][0], points[-1][0]
+        scene["transferFunction"]["opacity"] = [[low + (high - low) * x, y] for x, y in SHAPES[shape]]
+        step = 2 * scene["sampleDistance"]
+        scene["sampleDistance"] = step
+        scene["lights"] = [{"direction": [0.55, -0.6, -0.75], "frame": "camera", "shadow": "soft"}]
+        scene["volume"]["file"] = os.path.abspath(os.path.join(folder, volume + ".mhd"))
+        file = work + "/scene.json"
+        json.dump(scene, open(file, "w"))
+        spacing = report["volume"]["spacing"]
+        depth = -math.log(1 - SHAPES[shape][-1][1]) / scene["transferFunction"]["opacityUnitDistance"] * step
+        errors = {}
+        for shadow in "soft", "hard":
+            light = "lights.0.shadow=" + shadow
+            truth, report, _ = run(file, work, light, "shadows.technique=rays", f"shadows.sampleDistance={step / 2}")
+            found = []
+            for technique in TECHNIQUES:
+                picture, _, _ = run(file, work, light, "shadows.technique=" + technique, f"shadows.sampleDistance={step}")
+                scale = max(spacing) / min(spacing) if technique == "volume" else 1.0
+                found.append(max(rmse(picture, truth) / scale, 0.01))
+            errors[shadow] = ", ".join(f"{e:.2f}" for e in found)
+        steep = report["requirements"]["pre-integration"] == "yes"
+        lines[steep].append((depth, f"{{ {depth:.2f}, {{ {errors['soft']} }}, {{ {errors['hard']} }} }},"))
+
+HEADS = {False: """// Made by Data/study/measure-shadow-errors.py. A scene a line: the largest optical depth over a voxel,
+// then errors of rays, volume and deep map, of a soft shadow and of a hard one.
+""", True: "// Made by Data/study/measure-shadow-errors.py, see ShadowErrors.inc.\n"}
+for steep, name in ((False, "ShadowErrors.inc"), (True, "SteepShadowErrors.inc")):
+    with open(name, "w") as out:
+        out.write(HEADS[steep] + "".join(line + "\n" for _, line in sorted(lines[steep])))

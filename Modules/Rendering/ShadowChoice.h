@@ -1,0 +1,60 @@
+/**
+ * @file    ShadowChoice.h
+ * @brief   the cheapest shadow technique whose predicted error is within a tolerance
+ *
+ * A function of the scene alone, never of a clock: the same scene has the same shadows everywhere.
+ * Errors are predicted by a measured ones (ShadowErrors.inc, which
+ * Data/study/measure-shadow-errors.py makes), costs by counting the steps that are marched.
+ */
+
+#ifndef ShadowChoice_h
+#define ShadowChoice_h
+
+#include "LightingRequirements.h"
+#include "PenumbraRenderingModule.h" // For export macro
+
+#include <string>
+
+namespace penumbra
+{
+
+struct ShadowChoiceTask
+{
+  int SoftLights = 0;
+  int HardLights = 0;
+  /// The largest optical depth that matter has over a voxel.
+  double VoxelDepth = 0.0;
+  /// Of the largest spacing to the smallest.
+  double SpacingRatio = 1.0;
+  /// The transfer functions change much within a step.
+  bool SteepOpacity = false;
+  double Pixels = 0.0;       ///< that rays are cast from
+  double VoxelsAcross = 0.0; ///< the visible box's diagonal, in voxels
+  double Voxels = 0.0;       ///< in the visible box
+  /// Part of the volume near visible matter, 0 to 1.
+  double Occupied = 1.0;
+  double Tolerance = 1.0; ///< root mean square error in grey levels of 255
+};
+
+struct ShadowChoice
+{
+  ShadowTechnique Technique = ShadowTechnique::Rays;
+  double PredictedError = 0.0; ///< in grey levels of 255
+  std::string Reason;          ///< one clause
+};
+
+/// Predicted root mean square error of a picture against shadow rays of half the step.
+PENUMBRARENDERING_EXPORT double PredictShadowError(
+  ShadowTechnique technique, const ShadowChoiceTask& task);
+
+/// Predicted cost of a picture's shadows, in marched steps; of what is kept a part, as if it served
+/// several pictures.
+PENUMBRARENDERING_EXPORT double PredictShadowCost(
+  ShadowTechnique technique, const ShadowChoiceTask& task);
+
+/// Where no technique is within the tolerance, the one of the least error.
+PENUMBRARENDERING_EXPORT ShadowChoice ChooseShadowTechnique(const ShadowChoiceTask& task);
+
+}
+
+#endif

@@ -1,0 +1,81 @@
+#include "Catch.h"
+#include "ShadowChoice.h"
+
+using namespace penumbra;
+
+namespace
+{
+// A bone-like volume of 256^3 on 512 x 512 pixels, a tenth of it occupied.
+ShadowChoiceTask MakeTask()
+{
+  ShadowChoiceTask task;
+  task.SoftLights = 1;
+  task.VoxelDepth = 3.1;
+  task.Pixels = 512.0 * 512.0;
+  task.VoxelsAcross = 443.0;
+  task.Voxels = 256.0 * 256.0 * 256.0;
+  task.Occupied = 0.1;
+  return task;
+}
+}
+
+TEST_CASE("Without shadows there is nothing to choose")
+{
+  ShadowChoiceTask task = MakeTask();
+  task.SoftLights = 0;
+  CHECK(ChooseShadowTechnique(task).Technique == ShadowTechnique::Rays);
+}
+
+TEST_CASE("The chosen technique is the cheapest of those within the tolerance")
+{
+  ShadowChoiceTask task = MakeTask();
+  task.VoxelDepth = GENERATE(0.01, 0.1, 0.5, 3.1, 8.0);
+  task.Occupied = GENERATE(0.01, 0.3, 1.0);
+  task.HardLights = GENERATE(0, 1);
+  task.Tolerance = GENERATE(0.1, 0.5, 1.0, 3.0, 10.0);
+  const ShadowChoice choice = ChooseShadowTechnique(task);
+  bool anyWithin = false;
+  for (const auto other :
+    { ShadowTechnique::Rays, ShadowTechnique::Volume, ShadowTechnique::DeepMap })
+  {
+    const double error = PredictShadowError(other, task);
+    anyWithin = anyWithin || error <= task.Tolerance;
+    if (error <= task.Tolerance)
+    {
+      CHECK(PredictShadowCost(choice.Technique, task) <= PredictShadowCost(other, task));
+    }
+  }
+  CHECK((choice.PredictedError <= task.Tolerance) == anyWithin);
+}
+
+TEST_CASE("Where nothing is within the tolerance the least error counts")
+{
+  ShadowChoiceTask task = MakeTask();
+  task.SteepOpacity = true;
+  task.Tolerance = 0.01;
+  const ShadowChoice choice = ChooseShadowTechnique(task);
+  for (const auto other :
+    { ShadowTechnique::Rays, ShadowTechnique::Volume, ShadowTechnique::DeepMap })
+  {
+    CHECK(choice.PredictedError <= PredictShadowError(other, task));
+  }
+  CHECK(choice.Reason.find("beyond") != std::string::npos);
+}
+
+TEST_CASE("A large volume on a small picture is not worth a volume of shadows")
+{
+  ShadowChoiceTask task = MakeTask();
+  task.Pixels = 32.0 * 32.0;
+  task.Occupied = 1.0;
+  CHECK(ChooseShadowTechnique(task).Technique != ShadowTechnique::Volume);
+}
+
+TEST_CASE("Coarse slices count against a volume, whose texels stand at the voxels")
+{
+  ShadowChoiceTask task = MakeTask();
+  const double even = PredictShadowError(ShadowTechnique::Volume, task);
+  task.SpacingRatio = 3.0;
+  CHECK(PredictShadowError(ShadowTechnique::Volume, task) == Approx(3.0 * even));
+  CHECK(PredictShadowError(ShadowTechnique::DeepMap, task) ==
+    PredictShadowError(ShadowTechnique::DeepMap, MakeTask()));
+}
