@@ -271,10 +271,14 @@ void vtkIlluminatedVolumeMapper::DrawStock(vtkRenderer* renderer, vtkVolume* vol
   {
     this->Say("The stock ray caster takes six lights; the others are left out.");
   }
+  // Adjusting, the stock ray caster takes another sample distance than the one that is asked.
+  const auto askedToAdjust = this->AutoAdjustSampleDistances;
+  this->AutoAdjustSampleDistances = 0;
   const float askedSampleDistance = this->SampleDistance;
   this->SampleDistance = static_cast<float>(this->GetSampleDistanceOrDefault());
   this->Superclass::GPURender(renderer, volume);
   this->SampleDistance = askedSampleDistance;
+  this->AutoAdjustSampleDistances = askedToAdjust;
   for (vtkLight* light : switchedOff)
   {
     light->SwitchOn();
