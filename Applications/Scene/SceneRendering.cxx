@@ -22,29 +22,6 @@ namespace
 {
 // VTK 9.1 keeps the lights that are on in an array of this many, and does not look at their count.
 constexpr std::size_t MostLightsOfStockMapper = 6;
-
-// All but what the mapper draws, which is costly to take over.
-void CopySettings(vtkGPUVolumeRayCastMapper* from, vtkGPUVolumeRayCastMapper* to)
-{
-  to->SetSampleDistance(from->GetSampleDistance());
-  to->SetCropping(from->GetCropping());
-  to->SetCroppingRegionFlags(from->GetCroppingRegionFlags());
-  to->SetCroppingRegionPlanes(from->GetCroppingRegionPlanes());
-  to->SetClippingPlanes(from->GetClippingPlanes());
-  auto* const source = vtkIlluminatedVolumeMapper::SafeDownCast(from);
-  auto* const target = vtkIlluminatedVolumeMapper::SafeDownCast(to);
-  if (source && target)
-  {
-    target->SetShadowTechnique(source->GetShadowTechnique());
-    target->SetShadowSampleDistance(source->GetShadowSampleDistance());
-    target->SetShadowTolerance(source->GetShadowTolerance());
-    target->SetShadowResolution(source->GetShadowResolution());
-    target->SetShadowNearSteps(source->GetShadowNearSteps());
-    target->SetGradientEstimator(source->GetGradientEstimator());
-    target->SetGradientTextureBits(source->GetGradientTextureBits());
-    target->SetOpticalModel(source->GetOpticalModel());
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -83,8 +60,8 @@ void SceneRendering::Update(const SceneDescription& scene, const EnvironmentImag
 {
   const SceneDescription before = std::exchange(this->Scene, scene);
   this->Warnings.clear();
-  const auto asked = MakeMapper(scene, { this->Image, nullptr, {} }, this->Warnings);
-  CopySettings(asked, vtkGPUVolumeRayCastMapper::SafeDownCast(this->Volume->GetMapper()));
+  ApplyToMapper(
+    scene, vtkGPUVolumeRayCastMapper::SafeDownCast(this->Volume->GetMapper()), this->Warnings);
   if (!HaveSameMaterial(before, scene))
   {
     this->Volume->SetProperty(MakeVolumeMaterial(scene, environment));

@@ -64,36 +64,42 @@ void TellReplacements(const SceneDescription& scene, std::vector<std::string>& w
   }
 }
 
-vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(const SceneDescription& scene)
+vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(RendererChoice renderer)
 {
-  if (scene.Renderer != RendererChoice::StockMapper)
+  if (renderer == RendererChoice::StockMapper)
   {
-    auto mapper = vtkSmartPointer<vtkIlluminatedVolumeMapper>::New();
-    mapper->SetShadowTechnique(ShadowTechniqueOf(scene.Shadows.Technique));
-    mapper->SetShadowTolerance(scene.Shadows.Tolerance);
-    mapper->SetShadowResolution(scene.Shadows.Resolution);
-    if (scene.Shadows.NearSteps)
-    {
-      mapper->SetShadowNearSteps(static_cast<int>(*scene.Shadows.NearSteps));
-    }
-    mapper->SetShadowSampleDistance(*scene.Shadows.SampleDistance);
-    mapper->SetGradientEstimator(static_cast<int>(scene.Gradient));
-    mapper->SetGradientTextureBits(scene.GradientTexture);
-    mapper->SetSkipEmptySpace(scene.SkipEmptySpace);
-    mapper->SetOpticalModel(OpticalModelOf(scene.Optics));
-    return mapper;
+    return vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
   }
-  return vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
+  return vtkSmartPointer<vtkIlluminatedVolumeMapper>::New();
 }
 
-void SetCropping(vtkVolumeMapper* mapper, const std::array<double, 6>& cropping)
+void ApplyIllumination(const SceneDescription& scene, vtkIlluminatedVolumeMapper* mapper)
 {
-  mapper->CroppingOn();
-  mapper->SetCroppingRegionFlagsToSubVolume();
-  mapper->SetCroppingRegionPlanes(cropping.data());
+  mapper->SetShadowTechnique(ShadowTechniqueOf(scene.Shadows.Technique));
+  mapper->SetShadowTolerance(scene.Shadows.Tolerance);
+  mapper->SetShadowResolution(scene.Shadows.Resolution);
+  if (scene.Shadows.NearSteps)
+  {
+    mapper->SetShadowNearSteps(static_cast<int>(*scene.Shadows.NearSteps));
+  }
+  mapper->SetShadowSampleDistance(*scene.Shadows.SampleDistance);
+  mapper->SetGradientEstimator(static_cast<int>(scene.Gradient));
+  mapper->SetGradientTextureBits(scene.GradientTexture);
+  mapper->SetSkipEmptySpace(scene.SkipEmptySpace);
+  mapper->SetOpticalModel(OpticalModelOf(scene.Optics));
 }
 
-void AddClippingPlanes(
+void SetCropping(vtkVolumeMapper* mapper, const std::optional<std::array<double, 6>>& cropping)
+{
+  mapper->SetCropping(cropping.has_value());
+  if (cropping)
+  {
+    mapper->SetCroppingRegionFlagsToSubVolume();
+    mapper->SetCroppingRegionPlanes(cropping->data());
+  }
+}
+
+void SetClippingPlanes(
   const SceneDescription& scene, vtkVolumeMapper* mapper, std::vector<std::string>& warnings)
 {
   std::size_t count = scene.ClippingPlanes.size();
@@ -104,6 +110,7 @@ void AddClippingPlanes(
       " clipping planes; the other " + std::to_string(scene.ClippingPlanes.size() - count) +
       " are left out");
   }
+  mapper->RemoveAllClippingPlanes();
   for (std::size_t i = 0; i < count; ++i)
   {
     vtkNew<vtkPlane> plane;
@@ -118,26 +125,34 @@ void AddClippingPlanes(
 vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeMapper(
   const SceneDescription& scene, const SceneVoxels& voxels, std::vector<std::string>& warnings)
 {
-  auto mapper = MakeEmptyMapper(scene);
+  auto mapper = MakeEmptyMapper(scene.Renderer);
   mapper->SetInputData(voxels.Volume);
   mapper->AutoAdjustSampleDistancesOff();
   mapper->UseJitteringOff();
-  mapper->SetSampleDistance(static_cast<float>(*scene.SampleDistance));
-  if (scene.Volume.Cropping)
-  {
-    SetCropping(mapper, *scene.Volume.Cropping);
-  }
   if (voxels.Mask)
   {
     mapper->SetMaskInput(voxels.Mask);
     mapper->SetMaskTypeToBinary();
   }
-  AddClippingPlanes(scene, mapper, warnings);
+  ApplyToMapper(scene, mapper, warnings);
+  return mapper;
+}
+
+//------------------------------------------------------------------------------
+void ApplyToMapper(const SceneDescription& scene, vtkGPUVolumeRayCastMapper* mapper,
+  std::vector<std::string>& warnings)
+{
+  mapper->SetSampleDistance(static_cast<float>(*scene.SampleDistance));
+  SetCropping(mapper, scene.Volume.Cropping);
+  SetClippingPlanes(scene, mapper, warnings);
+  if (auto* const illuminated = vtkIlluminatedVolumeMapper::SafeDownCast(mapper))
+  {
+    ApplyIllumination(scene, illuminated);
+  }
   if (scene.Renderer == RendererChoice::StockMapper)
   {
     TellReplacements(scene, warnings);
   }
-  return mapper;
 }
 
 }

@@ -54,6 +54,13 @@ SceneVoxels ReadVoxels(
 vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeMapper(
   const SceneDescription& scene, const SceneVoxels& voxels, std::vector<std::string>& warnings);
 
+/**
+ * Gives a mapper of MakeMapper's, for a scene of the same renderer and voxels, all that this scene
+ * asks of it.
+ */
+void ApplyToMapper(const SceneDescription& scene, vtkGPUVolumeRayCastMapper* mapper,
+  std::vector<std::string>& warnings);
+
 }
 
 #endif

@@ -98,7 +98,6 @@ QImage DirectionBall::MakePicture() const
   const double ratio = this->devicePixelRatioF();
   const int size = static_cast<int>(std::ceil(2.0 * this->Radius() * ratio));
   QImage image(size, size, QImage::Format_ARGB32_Premultiplied);
-  const Vector3 half = UnitVector(Sum(this->ToLight, { 0.0, 0.0, 1.0 + 1e-9 }));
   for (int y = 0; y < size; ++y)
   {
     auto* const line = reinterpret_cast<QRgb*>(image.scanLine(y));
@@ -110,9 +109,8 @@ QImage DirectionBall::MakePicture() const
       const double cover = std::clamp((1.0 - std::sqrt(squared)) * 0.5 * size, 0.0, 1.0);
       const Vector3 normal = { u, v, std::sqrt(std::max(0.0, 1.0 - squared)) };
       const double diffuse = std::max(0.0, Dot(normal, this->ToLight));
-      const double specular = 0.35 * std::pow(std::max(0.0, Dot(normal, half)), 30.0);
       const auto level = [&](double color)
-      { return qRound(255.0 * cover * std::min(1.0, (0.1 + 0.75 * diffuse) * color + specular)); };
+      { return qRound(255.0 * cover * (0.1 + 0.9 * diffuse) * std::min(1.0, color)); };
       line[x] = qRgba(
         level(this->Color[0]), level(this->Color[1]), level(this->Color[2]), qRound(255 * cover));
     }

@@ -5,6 +5,7 @@
 #include "ClippingForm.h"
 #include "FileActions.h"
 #include "InformationPanel.h"
+#include "LightHandle.h"
 #include "LightPanel.h"
 #include "MessageBar.h"
 #include "PictureActions.h"
@@ -42,7 +43,9 @@ namespace penumbra
 namespace
 {
 constexpr int RightWidth = 330;
-constexpr int LeftWidth = 230;
+constexpr int LeftWidth = 240;
+constexpr int TreeHeight = 260;
+constexpr int InformationHeight = 440;
 
 QScrollArea* MakeScrollable(QWidget* content)
 {
@@ -73,7 +76,10 @@ MainWindow::MainWindow(const std::filesystem::path& dicomParser, QWidget* parent
 }
 
 //------------------------------------------------------------------------------
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+  delete this->Handle; // before the view
+}
 
 //------------------------------------------------------------------------------
 void MainWindow::MakeMiddle()
@@ -111,7 +117,8 @@ QDockWidget* MainWindow::AddPanel(
 void MainWindow::MakePanels()
 {
   auto* const tree = new PipelineTree(this->Document, this);
-  this->AddPanel(tr("Pipeline"), "pipelineDock", Qt::LeftDockWidgetArea, tree);
+  QDockWidget* pipeline =
+    this->AddPanel(tr("Pipeline"), "pipelineDock", Qt::LeftDockWidgetArea, tree);
   this->Information = new InformationPanel(this->Document, this);
   this->InformationDock = this->AddPanel(tr("Information"), "informationDock",
     Qt::LeftDockWidgetArea, MakeScrollable(this->Information));
@@ -134,6 +141,9 @@ void MainWindow::MakePanels()
   this->LightDock->raise();
   this->resizeDocks(
     { this->InformationDock, this->LightDock }, { LeftWidth, RightWidth }, Qt::Horizontal);
+  this->resizeDocks(
+    { pipeline, this->InformationDock }, { TreeHeight, InformationHeight }, Qt::Vertical);
+  this->Handle = new LightHandle(this->Document, this->View, this);
   this->connect(tree, &PipelineTree::selected, this, &MainWindow::ShowPart);
 }
 
@@ -168,6 +178,13 @@ void MainWindow::MakeMenus()
   QMenu* rigs = lights->addMenu(tr("R&igs"));
   rigs->addActions(this->Lights->GetRigActions());
   lights->addAction(this->Lights->GetResetAction());
+  lights->addSeparator();
+  QAction* handle = lights->addAction(tr("&Show the selected light in the view"));
+  handle->setObjectName("showLight");
+  handle->setShortcut(tr("L"));
+  handle->setCheckable(true);
+  handle->setToolTip(tr("A ball in the view that can be dragged to move the light"));
+  this->connect(handle, &QAction::toggled, this->Handle, &LightHandle::Show);
   QMenu* help = this->menuBar()->addMenu(tr("&Help"));
   help->addAction(
     tr("Mouse and &keys"), this, [this] { ShowKeys(this); }, tr("F1"));
@@ -296,6 +313,12 @@ void MainWindow::ShowOpened(const std::shared_ptr<const OpenedScene>& scene)
     this->Messages->ShowNotice(QString::fromStdString(scene->Warnings.front()));
   }
   this->View->setFocus();
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::OfferExample(const std::filesystem::path& scene)
+{
+  this->Page->SetExample(QString::fromStdString(scene.u8string()));
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ namespace penumbra
 class AppearancePanel;
 class FileActions;
 class InformationPanel;
+class LightHandle;
 class LightPanel;
 class MessageBar;
 class PictureActions;
@@ -50,6 +51,9 @@ public:
 
   void ShowError(const QString& text);
 
+  /// Lets the first page offer a scene.
+  void OfferExample(const std::filesystem::path& scene);
+
   /// Places and sizes of the window and its panels, from one start to the next.
   ///@{
   void RestoreLayout();
@@ -60,6 +64,7 @@ public:
   SceneOpening* GetOpening() { return this->Opening; }
   VolumeView* GetView() { return this->View; }
   LightPanel* GetLightPanel() { return this->Lights; }
+  LightHandle* GetLightHandle() { return this->Handle; }
   AppearancePanel* GetAppearance() { return this->Appearance; }
   PictureActions* GetPictures() { return this->Pictures; }
   MessageBar* GetMessageBar() { return this->Messages; }
@@ -94,6 +99,7 @@ private:
   ReadingProgress* Progress = nullptr;
   InformationPanel* Information = nullptr;
   LightPanel* Lights = nullptr;
+  LightHandle* Handle = nullptr;
   AppearancePanel* Appearance = nullptr;
   QDockWidget* InformationDock = nullptr;
   QDockWidget* LightDock = nullptr;

@@ -76,7 +76,7 @@ QPushButton* StartPage::AddButton(const QString& text, const QString& explanatio
 //------------------------------------------------------------------------------
 void StartPage::SetExample(const QString& file)
 {
-  this->Example->setVisible(!file.isEmpty());
+  this->Example->show();
   this->connect(this->Example, &QPushButton::clicked, this, [=] { emit this->chosen(file); });
 }
 

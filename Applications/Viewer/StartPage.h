@@ -23,7 +23,7 @@ public:
   /// Files that were open before, the last one first.
   void ShowRecent(const QStringList& files);
 
-  /// The example's button is shown only where there is one.
+  /// Shows a button for a scene.
   void SetExample(const QString& file);
 
 signals:

@@ -14,10 +14,13 @@
 #include <QApplication>
 #include <QBuffer>
 #include <QPixmap>
+#include <QSettings>
 #include <QSurfaceFormat>
 
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
+#include <optional>
 
 namespace penumbra
 {
@@ -39,6 +42,21 @@ std::string EncodePng(const QPixmap& picture)
   buffer.open(QIODevice::WriteOnly);
   picture.save(&buffer, "PNG");
   return bytes.toStdString();
+}
+
+// Installed beside the program, or in the sources that it was built from.
+std::optional<std::filesystem::path> FindExample(const std::filesystem::path& programs)
+{
+  std::error_code ignored;
+  for (const auto& folder :
+    { programs / ".." / PENUMBRA_EXAMPLES, std::filesystem::path(PENUMBRA_DATA) })
+  {
+    if (std::filesystem::exists(folder / "stent.json", ignored))
+    {
+      return folder / "stent.json";
+    }
+  }
+  return std::nullopt;
 }
 
 // The window shows the scene, is saved and closed.
@@ -107,13 +125,21 @@ void RunViewer(const ViewerCommand& command, int argc, char* argv[], vtkMessageC
 {
   PrepareQt();
   QApplication application(argc, argv);
-  ApplyTheme();
+  ApplyTheme(static_cast<Theme>(QSettings().value("theme", 0).toInt()));
   MainWindow window(command.DicomParser);
   window.resize(command.Size[0], command.Size[1]);
   std::optional<Screenshot> screenshot;
   if (command.Screenshot)
   {
     screenshot.emplace(window, *command.Screenshot);
+  }
+  else
+  {
+    window.RestoreLayout();
+  }
+  if (const auto example = FindExample(command.DicomParser.parent_path()))
+  {
+    window.OfferExample(*example);
   }
   window.show();
   if (command.Input)

@@ -293,10 +293,12 @@ vtkSmartPointer<vtkImageData> VolumeView::TakePicture()
   const bool scaleBar = this->Decorations->HasScaleBar();
   this->Decorations->ShowOrientation(false);
   this->Decorations->ShowScaleBar(false);
+  emit this->bare(true);
   this->Draw(1);
   const auto picture = ReadPicture(this->Window);
   this->Decorations->ShowOrientation(orientation);
   this->Decorations->ShowScaleBar(scaleBar);
+  emit this->bare(false);
   this->ScheduleFrame();
   return picture;
 }

@@ -67,6 +67,8 @@ signals:
   /// The whole picture is seen; it took so long.
   void refined(double seconds);
   void cameraMoved();
+  /// Whether what is drawn over the scene is to be hidden, for a picture of the scene alone.
+  void bare(bool hidden);
   /// The user asks for light at this point of the world.
   void aimed(const penumbra::Vector3& target);
   /// What the renderer cannot do of the scene, or had to do otherwise.

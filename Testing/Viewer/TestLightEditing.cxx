@@ -1,6 +1,7 @@
 #include "Catch.h"
 #include "DirectionBall.h"
 #include "ImageComparison.h"
+#include "LightHandle.h"
 #include "LightPanel.h"
 #include "ViewerSession.h"
 
@@ -147,4 +148,23 @@ TEST_CASE("Rigs replace the lights, and a reset brings back those of the scene",
   session.Window.GetLightPanel()->GetResetAction()->trigger();
   CHECK(session.CountLights() == 1);
   CHECK(session.ChangeSince(before) == 0.0);
+}
+
+TEST_CASE("The selected light is shown in the view, and dragged", "[lights]")
+{
+  LightSession session;
+  const auto before = session.TakePicture();
+  session.Find<QAction>("showLight")->setChecked(true);
+  CHECK(session.ChangeSince(before) == 0.0); // pictures of the scene are without it
+  LightHandle* handle = session.Window.GetLightHandle();
+  const ViewFrame view = session.Window.GetView()->GetFrame();
+  // To the right of what is looked at: the light then comes from the right.
+  handle->Drag(Sum(view.FocalPoint, Scaled(view.Right, 10.0)));
+  CHECK(Length(Difference(session.Light(0).Direction, Scaled(view.Right, -1.0))) ==
+    Approx(0.0).margin(1e-9));
+  CHECK(session.ChangeSince(before) > Seen);
+  session.Find<QAction>("addLight1")->trigger();
+  handle->Drag({ 1.0, 2.0, 3.0 });
+  CHECK(
+    Length(Difference(session.Light(1).Position, { 1.0, 2.0, 3.0 })) == Approx(0.0).margin(1e-9));
 }
