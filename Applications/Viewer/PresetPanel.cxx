@@ -24,6 +24,7 @@ namespace penumbra
 PresetPanel::PresetPanel(SceneDocument* document, VolumeView* view, QWidget* parent)
   : QWidget(parent)
   , Document(document)
+  , View(view)
   , List(new QListWidget(this))
   , Thumbnails(new PresetThumbnails(this))
 {
@@ -80,9 +81,16 @@ void PresetPanel::ShowOpened()
 }
 
 //------------------------------------------------------------------------------
+void PresetPanel::showEvent(QShowEvent* event)
+{
+  QWidget::showEvent(event);
+  this->DrawThumbnails();
+}
+
+//------------------------------------------------------------------------------
 void PresetPanel::DrawThumbnails()
 {
-  if (this->ThumbnailsDue && this->isVisible())
+  if (this->ThumbnailsDue && this->isVisible() && this->View->IsRefined())
   {
     this->ThumbnailsDue = false;
     this->Thumbnails->Start(

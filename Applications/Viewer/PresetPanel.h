@@ -34,6 +34,9 @@ public:
   /// Writes the look of the scene. @throw InputError or RenderingError where that fails.
   void Save(const std::filesystem::path& file);
 
+protected:
+  void showEvent(QShowEvent* event) override;
+
 private:
   void ShowOpened();
   void DrawThumbnails();
@@ -41,6 +44,7 @@ private:
   void AskAndSave();
 
   SceneDocument* Document;
+  VolumeView* View;
   QListWidget* List;
   PresetThumbnails* Thumbnails;
   std::vector<PresetName> Presets;

@@ -4,7 +4,9 @@
 #include "SceneDocument.h"
 #include "VolumeBox.h"
 
+#include <QFileDialog>
 #include <QObject>
+#include <QPushButton>
 
 #include <vtkImageData.h>
 
@@ -92,6 +94,28 @@ void AddModelParameters(PropertyForm* form)
   form->ShowLastWhen(WhenModel({ Model::CookTorrance }));
 }
 
+void AddSurroundings(PropertyForm* form, SceneDocument* document)
+{
+  auto* const choose = new QPushButton(QObject::tr("Reflect an image..."), form);
+  choose->setToolTip(QObject::tr("Let surfaces mirror surroundings: an equirectangular image"));
+  QObject::connect(choose, &QPushButton::clicked, form,
+    [=]
+    {
+      const QString file = QFileDialog::getOpenFileName(form, QObject::tr("Surroundings"),
+        QString(), QObject::tr("Images (*.png *.jpg *.jpeg *.hdr *.tif *.tiff)"));
+      if (!file.isEmpty())
+      {
+        document->Edit(QObject::tr("surroundings"),
+          [=](SceneDescription& scene)
+          {
+            scene.Material.EnvironmentMap = { std::filesystem::u8path(file.toStdString()) };
+            scene.Material.Model = ReflectionModel::ReflectionMap;
+          });
+      }
+    });
+  form->AddWidget(choose);
+}
+
 // 0 to 100, in equal steps of the error, which falls with the square of the step.
 PropertyAccess<double> QualityAccess(SceneDocument* document)
 {
@@ -131,17 +155,19 @@ void AddSteps(PropertyForm* form, SceneDocument* document)
 }
 
 //------------------------------------------------------------------------------
-void FillMaterialForm(PropertyForm* form, SceneDocument*)
+void FillMaterialForm(PropertyForm* form, SceneDocument* document)
 {
   form->AddChoice({ QObject::tr("Reflection"),
                     QObject::tr("How surfaces reflect: Phong and Blinn-Phong are plain, Oren-Nayar "
                                 "is matt like clay, Ward and Cook-Torrance are measured metals and "
                                 "glazes.") },
     { QObject::tr("Phong"), QObject::tr("Blinn-Phong"), QObject::tr("Oren-Nayar"),
-      QObject::tr("Ward"), QObject::tr("Ward, anisotropic"), QObject::tr("Cook-Torrance") },
+      QObject::tr("Ward"), QObject::tr("Ward, anisotropic"), QObject::tr("Cook-Torrance"),
+      QObject::tr("Reflection map") },
     AccessTo<int>(&MaterialDescription::Model));
   AddReflection(form);
   AddModelParameters(form);
+  AddSurroundings(form, document);
 }
 
 //------------------------------------------------------------------------------

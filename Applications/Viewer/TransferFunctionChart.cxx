@@ -102,8 +102,7 @@ TransferFunctionChart::TransferFunctionChart(SceneDocument* document, QWidget* p
 {
   this->setObjectName("transferFunctionChart");
   this->setAccessibleName(tr("Transfer function"));
-  this->setAccessibleDescription(
-    tr("Opacity and colour over the volume's values; the tables below have the same by keyboard"));
+  this->setAccessibleDescription(tr("Opacity and colour over the volume's values"));
   this->setToolTip(
     tr("Click: new point. Drag: move it. Delete: remove it. Double click on a colour "
        "point: its colour. Drag with the right button: move and stretch all."));
