@@ -187,21 +187,24 @@ void FillRenderingForm(PropertyForm* form, SceneDocument* document)
     { QObject::tr("Absorption"), QObject::tr("Emission"), QObject::tr("Absorption and emission"),
       QObject::tr("Single scattering (lit)") },
     AccessToScene<int>(&SceneDescription::Optics));
-  form->AddChoice(
-    { QObject::tr("Shadows by"),
-      QObject::tr("Rays are exact. The others keep shadows between pictures, so that "
-                  "turning is faster: a volume with a shadow per voxel, a map of the "
-                  "first surface for hard shadows, or a map with depth for soft ones.") },
-    { QObject::tr("Rays"), QObject::tr("Shadow volume"), QObject::tr("Shadow map"),
-      QObject::tr("Deep shadow map") },
-    { [](const SceneDescription& scene) {
-       return static_cast<int>(scene.Shadows.Technique) - static_cast<int>(TechniqueChoice::Rays);
-     },
+  form->AddChoice({ QObject::tr("Shadows by"),
+                    QObject::tr("Automatic takes the fastest whose error is small. Rays are exact. "
+                                "The others keep shadows between pictures, so that turning is "
+                                "faster: a volume with a shadow per voxel, a map of the first "
+                                "surface for hard shadows, or a map with depth for soft ones.") },
+    { QObject::tr("Automatic"), QObject::tr("Rays"), QObject::tr("Shadow volume"),
+      QObject::tr("Shadow map"), QObject::tr("Deep shadow map") },
+    { [](const SceneDescription& scene) { return static_cast<int>(scene.Shadows.Technique); },
       [](SceneDescription& scene, const int& choice)
-      {
-        scene.Shadows.Technique =
-          static_cast<TechniqueChoice>(choice + static_cast<int>(TechniqueChoice::Rays));
-      } });
+      { scene.Shadows.Technique = static_cast<TechniqueChoice>(choice); } });
+  form->AddSlider({ QObject::tr("Tolerated error"),
+                    QObject::tr("How far shadows may be off in grey levels of 255, as a root mean "
+                                "square; more is faster.") },
+    { 0.0, 255.0, 2 }, 4.0,
+    { [](const SceneDescription& scene) { return scene.Shadows.Tolerance; },
+      [](SceneDescription& scene, const double& error) { scene.Shadows.Tolerance = error; } });
+  form->ShowLastWhen(
+    [](const SceneDescription& scene) { return scene.Shadows.Technique == TechniqueChoice::Auto; });
   AddSteps(form, document);
   form->AddChoice({ QObject::tr("Gradient"),
                     QObject::tr("How slopes are estimated: central is good, forward and backward "
