@@ -14,7 +14,9 @@ SHAPES = {"fog": [[0, 0], [1, 0.03]], "soft": [[0, 0], [0.4, 0.06], [1, 0.3]],
           "bone": [[0, 0], [0.12, 0.35], [0.4, 0.75], [1, 0.95]], "opaque": [[0, 0], [0.02, 0.9], [1, 0.98]]}
 SCENES = [("engine", "fog"), ("engine", "soft"), ("engine", "bone"), ("engine", "opaque"), ("aneurism", "bone"),
           ("headsq", "soft"), ("headsq", "bone")]
-TECHNIQUES = ["rays", "volume", "deep-map"]
+FINE = ["shadows.resolution=1", "shadows.nearSteps=4"]
+COARSE = ["shadows.resolution=0.5", "shadows.nearSteps=0"]
+OPTIONS = [("rays", FINE), ("volume", COARSE), ("volume", FINE), ("deep-map", FINE)]
 
 
 def run(scene, work, *settings):
@@ -53,8 +55,9 @@ for volume, shape in SCENES:
             light = "lights.0.shadow=" + shadow
             truth, report, _ = run(file, work, light, "shadows.technique=rays", f"shadows.sampleDistance={step / 2}")
             found = []
-            for technique in TECHNIQUES:
-                picture, _, _ = run(file, work, light, "shadows.technique=" + technique, f"shadows.sampleDistance={step}")
+            for technique, settings in OPTIONS:
+                picture, _, _ = run(file, work, light, "shadows.technique=" + technique, f"shadows.sampleDistance={step}",
+                                    *settings)
                 scale = max(spacing) / min(spacing) if technique == "volume" else 1.0
                 found.append(max(rmse(picture, truth) / scale, 0.01))
             errors[shadow] = ", ".join(f"{e:.2f}" for e in found)
@@ -62,7 +65,7 @@ for volume, shape in SCENES:
         lines[steep].append((depth, f"{{ {depth:.2f}, {{ {errors['soft']} }}, {{ {errors['hard']} }} }},"))
 
 HEADS = {False: """// Made by Data/study/measure-shadow-errors.py. A scene a line: the largest optical depth over a voxel,
-// then errors of rays, volume and deep map, of a soft shadow and of a hard one.
+// then errors of rays, coarse and fine volume and deep map, of a soft shadow and of a hard one.
 """, True: "// Made by Data/study/measure-shadow-errors.py, see ShadowErrors.inc.\n"}
 for steep, name in ((False, "ShadowErrors.inc"), (True, "SteepShadowErrors.inc")):
     with open(name, "w") as out:

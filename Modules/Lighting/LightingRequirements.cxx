@@ -52,9 +52,10 @@ bool HasGradientOpacity(vtkVolumeProperty* property)
 
 auto AsTuple(const LightingRequirements& r)
 {
-  return std::tie(r.Optics, r.Lights, r.Technique, r.Reflection, r.Gradient, r.GradientTexture,
-    r.NoiseFading, r.Diffuse, r.Specular, r.TwoSidedLighting, r.Attenuation, r.GradientOpacity,
-    r.ClippingPlanes, r.Cropping, r.Mask, r.Opacity, r.PreIntegrated, r.EmptySpaceSkipping);
+  return std::tie(r.Optics, r.Lights, r.Technique, r.NearShadowRays, r.Reflection, r.Gradient,
+    r.GradientTexture, r.NoiseFading, r.Diffuse, r.Specular, r.TwoSidedLighting, r.Attenuation,
+    r.GradientOpacity, r.ClippingPlanes, r.Cropping, r.Mask, r.Opacity, r.PreIntegrated,
+    r.EmptySpaceSkipping);
 }
 
 RequirementEntry Flag(const std::string& name, bool needed)
@@ -248,6 +249,7 @@ std::vector<RequirementEntry> LightingRequirements::GetEntries() const
     Count("soft shadows", this->GetNumberOfLights(ShadowKind::Soft)),
     Count("hard shadows", this->GetNumberOfLights(ShadowKind::Hard)),
     Choice("shadow technique", GetName(this->Technique), this->GetNumberOfShadowedLights() > 0),
+    Flag("shadow rays", this->NeedsShadowRays()),
   };
 }
 

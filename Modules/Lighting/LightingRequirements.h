@@ -117,6 +117,8 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   /// Lights whose diffuse or specular term can change the picture, by kind and shadow state.
   std::array<std::array<int, NumberOfShadowKinds>, NumberOfLightKinds> Lights{};
   ShadowTechnique Technique = ShadowTechnique::Rays;
+  /// Of kept shadows: the first steps towards the lights are marched, or some lights' rays whole.
+  bool NearShadowRays = false;
   ReflectionModel Reflection = ReflectionModel::Phong;
   GradientEstimator Gradient = GradientEstimator::CentralDifferences;
   /// Gradients are looked up, not estimated at each sample.
@@ -156,6 +158,11 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   bool NeedsEnvironment() const
   {
     return this->Reflection == ReflectionModel::ReflectionMap && (this->Diffuse || this->Specular);
+  }
+  bool NeedsShadowRays() const
+  {
+    return this->GetNumberOfShadowedLights() > 0 &&
+      (this->Technique == ShadowTechnique::Rays || this->NearShadowRays);
   }
   bool HasFresnelTerm() const { return this->Reflection == ReflectionModel::CookTorrance; }
   bool HasPreferredDirection() const

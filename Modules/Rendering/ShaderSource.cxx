@@ -215,7 +215,7 @@ const Snippet PictureSnippets[] = {
   { GlslSpecularFresnel,
     [](const Needs& n, bool) { return Lit(n) && n.Specular && n.HasFresnelTerm(); } },
   { GlslLights, [](const Needs& n, bool) { return Lit(n); } },
-  { GlslShadowRay, [](const Needs& n, bool) { return Shadowed(n); } },
+  { GlslShadowRay, [](const Needs& n, bool) { return n.NeedsShadowRays(); } },
   { GlslShadowDepthRay, ShadowedBy<ShadowTechnique::Rays> },
   { GlslShadowDepthVolume, ShadowedBy<ShadowTechnique::Volume> },
   { GlslLightSpace, LooksUpMaps },
@@ -337,6 +337,7 @@ std::string GetFragmentShaderSource(const LightingRequirements& requirements, bo
 {
   std::string source = FragmentHead;
   source += DefineLightGroups(requirements);
+  source += Define("SHADOW_RAYS", requirements.NeedsShadowRays() ? 1 : 0);
   source += Define("CLIPPING_PLANES", requirements.ClippingPlanes);
   source += Define("WHOLE_SEGMENTS", requirements.NeedsWholeSegments() ? 1 : 0);
   Append(source, MatterSnippets, requirements, continued);

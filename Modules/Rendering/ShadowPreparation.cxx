@@ -98,6 +98,7 @@ void KeepNothing(vtkOpenGLRenderWindow* window, DrawnScene& scene, VolumeDrawing
 {
   scene.ShadowCasters.clear();
   scene.Requirements.Technique = ShadowTechnique::Rays;
+  scene.Requirements.NearShadowRays = false;
   MakeRoom({}, window, scene, drawing);
 }
 }
@@ -123,6 +124,7 @@ std::vector<std::string> PrepareShadows(const ShadowSettings& settings,
     KeepNothing(window, scene, drawing);
     return messages;
   }
+  scene.Requirements.NearShadowRays = settings.NearSteps > 0 || room.Lights < casters;
   scene.ShadowCasters.resize(room.Lights);
   scene.LightSpaces.resize(std::min<std::size_t>(scene.LightSpaces.size(), room.Lights));
   if (room.Coarsened)

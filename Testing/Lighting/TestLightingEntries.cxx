@@ -45,7 +45,7 @@ TEST_CASE("A bare volume leaves out all but its opacity")
       "cropping", "mask", "shading", "gradient", "gradient texture", "reflection model",
       "diffuse term", "specular term", "fresnel term", "preferred direction", "environment maps",
       "noise fading", "two-sided lighting", "directional lights", "point lights", "spot lights",
-      "attenuation", "soft shadows", "hard shadows", "shadow technique" });
+      "attenuation", "soft shadows", "hard shadows", "shadow technique", "shadow rays" });
 }
 
 TEST_CASE("A scene that needs everything leaves out only what belongs to other reflection models")
@@ -70,7 +70,7 @@ TEST_CASE("What is left out follows from what is there")
   unshadowed.Lights = { { { 1, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } } };
   CHECK(unshadowed.GetLeftOut() ==
     Names{ "fresnel term", "preferred direction", "environment maps", "point lights", "spot lights",
-      "attenuation", "soft shadows", "hard shadows", "shadow technique" });
+      "attenuation", "soft shadows", "hard shadows", "shadow technique", "shadow rays" });
 
   LightingRequirements ambientOnly;
   ambientOnly.Optics = OpticalModel::SingleScattering;

@@ -30,7 +30,8 @@ const std::map<std::string, std::vector<std::string>> Symbols = {
   { "attenuation", { "scene_lightAttenuation" } },
   { "soft shadows", { "softVisibility" } },
   { "hard shadows", { "hardVisibility" } },
-  { "shadow technique", { "opticalDepth", "scene_shadowSampleDistance" } },
+  { "shadow technique", { "ShadowSegment towardsLight" } },
+  { "shadow rays", { "opticalDepth", "scene_shadowSampleDistance" } },
 };
 
 // What one reflection model's source has and no other's.

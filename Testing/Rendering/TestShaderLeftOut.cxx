@@ -46,7 +46,7 @@ const std::vector<Omission> Omissions = {
   { { "spot lights" }, [](SceneOptions& options) { RemoveLights(options, LightKind::Spot); } },
   { { "soft shadows" }, [](SceneOptions& options) { RemoveLights(options, ShadowKind::Soft); } },
   { { "hard shadows" }, [](SceneOptions& options) { RemoveLights(options, ShadowKind::Hard); } },
-  { { "soft shadows", "hard shadows", "shadow technique" },
+  { { "soft shadows", "hard shadows", "shadow technique", "shadow rays" },
     [](SceneOptions& options)
     {
       RemoveLights(options, ShadowKind::Soft);
@@ -57,7 +57,7 @@ const std::vector<Omission> Omissions = {
   { { "gradient opacity", "shading", "gradient", "gradient texture", "reflection model",
       "diffuse term", "specular term", "noise fading", "two-sided lighting", "directional lights",
       "point lights", "spot lights", "attenuation", "soft shadows", "hard shadows",
-      "shadow technique" },
+      "shadow technique", "shadow rays" },
     [](SceneOptions& options)
     {
       options.optics = OpticalModel::AbsorptionEmission;
@@ -66,7 +66,7 @@ const std::vector<Omission> Omissions = {
   { { "colour", "gradient opacity", "shading", "gradient", "gradient texture", "reflection model",
       "diffuse term", "specular term", "noise fading", "two-sided lighting", "directional lights",
       "point lights", "spot lights", "attenuation", "soft shadows", "hard shadows",
-      "shadow technique" },
+      "shadow technique", "shadow rays" },
     [](SceneOptions& options)
     {
       options.optics = OpticalModel::Absorption;

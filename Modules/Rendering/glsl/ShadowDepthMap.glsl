@@ -72,11 +72,15 @@ float keptDarkness(vec3 position, int light, float before)
 
 float marchedDepth(vec3 position, int light, ShadowSegment towardsLight)
 {
+#if SHADOW_RAYS > 0
   float marched = scene_lightMap[light].y;
-  return marched > 0.0
-    ? opticalDepth(position, towardsLight.direction, towardsLight.begin,
-        min(towardsLight.begin + marched, towardsLight.end), towardsLight.enough)
-    : 0.0;
+  if (marched > 0.0)
+  {
+    return opticalDepth(position, towardsLight.direction, towardsLight.begin,
+      min(towardsLight.begin + marched, towardsLight.end), towardsLight.enough);
+  }
+#endif
+  return 0.0;
 }
 
 // Of what lies beyond the marched steps.

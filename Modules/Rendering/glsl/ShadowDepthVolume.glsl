@@ -19,11 +19,13 @@ float shadowDepth(vec3 position, int light, ShadowSegment towardsLight, float la
   texel.z += scene_lightShadowVolume[light].x;
   float root = dot(texture(scene_shadowVolume, texel), scene_lightShadowComponent[light]);
   float depth = largest * root * root;
+#if SHADOW_RAYS > 0
   float marched = scene_lightShadowVolume[light].y;
   if (marched > 0.0)
   {
     depth += opticalDepth(position, towardsLight.direction, towardsLight.begin,
       min(towardsLight.begin + marched, towardsLight.end), towardsLight.enough);
   }
+#endif
   return depth;
 }
