@@ -50,6 +50,7 @@ void ShowKeys(QWidget* parent)
                 "<tr><td><b>Left button</b></td><td>turn</td></tr>"
                 "<tr><td><b>Middle button, Shift + left</b></td><td>move</td></tr>"
                 "<tr><td><b>Wheel, right button</b></td><td>zoom</td></tr>"
+                "<tr><td><b>Arrow keys, + and -</b></td><td>turn, zoom</td></tr>"
                 "<tr><td><b>Double click</b></td><td>aim the selected light there</td></tr>"
                 "<tr><td><b>R</b></td><td>reset the camera</td></tr>"
                 "<tr><td><b>1 to 6</b></td><td>look from front, back, left, right, above, "

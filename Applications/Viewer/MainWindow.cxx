@@ -42,7 +42,7 @@ namespace penumbra
 {
 namespace
 {
-constexpr int RightWidth = 330;
+constexpr int RightWidth = 345;
 constexpr int LeftWidth = 240;
 constexpr int TreeHeight = 260;
 constexpr int InformationHeight = 440;
@@ -53,6 +53,7 @@ QScrollArea* MakeScrollable(QWidget* content)
   area->setWidget(content);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   return area;
 }
 }
@@ -88,13 +89,11 @@ void MainWindow::MakeMiddle()
   auto* const column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  auto* const stack = new QStackedLayout;
-  stack->setStackingMode(QStackedLayout::StackAll);
+  this->Stack = new QStackedLayout;
   this->Page = new StartPage(middle);
-  stack->addWidget(this->View);
-  stack->addWidget(this->Page);
-  stack->setCurrentWidget(this->Page);
-  column->addLayout(stack, 1);
+  this->Stack->addWidget(this->Page);
+  this->Stack->addWidget(this->View);
+  column->addLayout(this->Stack, 1);
   this->Messages = new MessageBar(middle);
   this->setCentralWidget(middle);
   this->Page->ShowRecent(this->Recent->Get());
@@ -239,8 +238,15 @@ void MainWindow::Open(const std::filesystem::path& file)
 {
   OpenRequest request;
   request.File = file;
-  request.ViewSize = this->View->GetPictureSize();
+  request.ViewSize = this->GetViewSize();
   this->Start(request);
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 2> MainWindow::GetViewSize() const
+{
+  const QSize size = this->centralWidget()->size(); // the view's, also before it is shown
+  return { size.width(), size.height() };
 }
 
 //------------------------------------------------------------------------------
@@ -260,7 +266,7 @@ void MainWindow::OpenAsked(const QString& file)
   }
   OpenRequest request;
   request.File = std::filesystem::u8path(file.toStdString());
-  request.ViewSize = this->View->GetPictureSize();
+  request.ViewSize = this->GetViewSize();
   request.AskForSeries = QFileInfo(file).isDir();
   if (QFileInfo(file).suffix().toLower() == "raw")
   {
@@ -296,7 +302,7 @@ void MainWindow::Save(const std::filesystem::path& file)
 //------------------------------------------------------------------------------
 void MainWindow::ShowOpened(const std::shared_ptr<const OpenedScene>& scene)
 {
-  this->Page->hide();
+  this->Stack->setCurrentWidget(this->View);
   this->Document->Open(*scene);
   this->Recent->Add(QString::fromStdString(scene->File.u8string()));
   QStringList notes;

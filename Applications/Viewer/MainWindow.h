@@ -8,9 +8,12 @@
 
 #include <QMainWindow>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <vector>
+
+class QStackedLayout;
 
 namespace penumbra
 {
@@ -82,6 +85,7 @@ private:
   QDockWidget* AddPanel(
     const QString& title, const QString& name, Qt::DockWidgetArea area, QWidget* content);
   void Connect();
+  std::array<int, 2> GetViewSize() const;
   void Start(const OpenRequest& request);
   void ChooseSeries(OpenRequest request, const std::vector<SeriesFacts>& series);
   void ShowOpened(const std::shared_ptr<const OpenedScene>& scene);
@@ -94,6 +98,7 @@ private:
   RecentFiles* Recent;
   FileActions* Files;
   PictureActions* Pictures;
+  QStackedLayout* Stack = nullptr;
   StartPage* Page = nullptr;
   MessageBar* Messages = nullptr;
   ReadingProgress* Progress = nullptr;

@@ -14,6 +14,10 @@
 
 namespace penumbra
 {
+namespace
+{
+constexpr int RowHeight = 31;
+}
 
 //------------------------------------------------------------------------------
 PropertyForm::PropertyForm(SceneDocument* document, QWidget* parent)
@@ -22,7 +26,8 @@ PropertyForm::PropertyForm(SceneDocument* document, QWidget* parent)
   , Layout(new QFormLayout(this))
 {
   this->Layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  this->Layout->setVerticalSpacing(7);
+  this->Layout->setVerticalSpacing(0); // rows that are hidden would keep theirs
+  this->setEnabled(false);
   this->connect(document, &SceneDocument::changed, this, &PropertyForm::Refresh);
   this->connect(document, &SceneDocument::lightSelected, this, &PropertyForm::Refresh);
 }
@@ -53,6 +58,8 @@ void PropertyForm::AddRow(const PropertyText& text, QWidget* field,
     field->setAccessibleDescription(text.Tip);
     field->setObjectName(text.Label);
   }
+  field->setMinimumHeight(RowHeight);
+  label->setMinimumHeight(RowHeight);
   this->Layout->addRow(label, field);
   this->Rows.push_back({ label, field, show, {} });
 }

@@ -9,6 +9,7 @@
 #include "VolumeFields.h"
 
 #include <QApplication>
+#include <QKeyEvent>
 #include <QMouseEvent>
 
 #include <vtkCallbackCommand.h>
@@ -38,6 +39,20 @@ constexpr int StillMilliseconds = 250;
 // Frames that take longer than this many seconds come only after a longer pause.
 constexpr double LongestQuickFrame = 1.0;
 constexpr int LongStillMilliseconds = 1000;
+constexpr double KeyDegrees = 5.0;
+constexpr double KeyZoom = 1.1;
+
+void Zoom(vtkCamera* camera, double factor)
+{
+  if (camera->GetParallelProjection())
+  {
+    camera->SetParallelScale(camera->GetParallelScale() / factor);
+  }
+  else
+  {
+    camera->Dolly(factor);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -231,6 +246,51 @@ int VolumeView::FindStillDistance() const
   // Where a whole frame would hold the window up for long, one comes before that does not.
   const int quick = this->Quality.FindDistance(1.0 / LongestQuickFrame);
   return quick < this->Distance ? quick : 1;
+}
+
+//------------------------------------------------------------------------------
+bool VolumeView::event(QEvent* event)
+{
+  // VTK's interactor styles have keys of their own: stereo, wireframe, picking, the end.
+  const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
+  return isKey ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::keyPressEvent(QKeyEvent* event)
+{
+  if (!this->Rendering)
+  {
+    QOpenGLWidget::keyPressEvent(event);
+    return;
+  }
+  vtkCamera* camera = this->Rendering->GetRenderer()->GetActiveCamera();
+  switch (event->key())
+  {
+    case Qt::Key_Left:
+      camera->Azimuth(KeyDegrees);
+      break;
+    case Qt::Key_Right:
+      camera->Azimuth(-KeyDegrees);
+      break;
+    case Qt::Key_Up:
+      camera->Elevation(-KeyDegrees);
+      break;
+    case Qt::Key_Down:
+      camera->Elevation(KeyDegrees);
+      break;
+    case Qt::Key_Plus:
+      Zoom(camera, KeyZoom);
+      break;
+    case Qt::Key_Minus:
+      Zoom(camera, 1.0 / KeyZoom);
+      break;
+    default:
+      QOpenGLWidget::keyPressEvent(event);
+      return;
+  }
+  camera->OrthogonalizeViewUp();
+  this->ScheduleFrame();
 }
 
 //------------------------------------------------------------------------------

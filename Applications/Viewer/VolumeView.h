@@ -2,8 +2,8 @@
  * @class   VolumeView
  * @brief   the 3D view of the document's scene
  *
- * Left button turns, middle button moves, right button and wheel zoom. Moving is fluid and coarse;
- * the whole picture follows when all is still.
+ * Left button and arrow keys turn, middle button moves, right button, wheel, plus and minus zoom.
+ * Moving is fluid and coarse; the whole picture follows when all is still.
  */
 
 #ifndef VolumeView_h
@@ -75,6 +75,8 @@ signals:
   void warned(const QStringList& messages);
 
 protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void paintGL() override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
 

@@ -2,6 +2,9 @@
 #include "ImageComparison.h"
 #include "ViewerSession.h"
 
+#include <QApplication>
+#include <QKeyEvent>
+
 #include <vtkImageData.h>
 
 using namespace penumbra;
@@ -51,4 +54,44 @@ TEST_CASE("A volume without a scene is lit and shadowed from the start")
   const auto& lights = session.Document.GetScene().Lights;
   CHECK(std::any_of(lights.begin(), lights.end(),
     [](const LightDescription& light) { return light.On && light.Shadow != ShadowKind::None; }));
+}
+
+TEST_CASE("The first page is seen until something is open")
+{
+  ViewerSession session;
+  auto* const page = session.Window.findChild<QWidget*>("startPage");
+  CHECK(page->isVisible());
+  CHECK_FALSE(session.Window.GetView()->isVisible());
+  REQUIRE(session.Open(session.Files.File));
+  CHECK_FALSE(page->isVisible());
+  CHECK(session.Window.GetView()->isVisible());
+}
+
+TEST_CASE("Keys turn and zoom the camera, and none of VTK's own is taken")
+{
+  ViewerSession session;
+  REQUIRE(session.Open(session.Files.File));
+  VolumeView* view = session.Window.GetView();
+  const auto press = [view](int key, const QString& text)
+  {
+    QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier, text);
+    QApplication::sendEvent(view, &event);
+  };
+  const CameraDescription before = view->GetCamera();
+  press(Qt::Key_W, "w");
+  press(Qt::Key_F, "f");
+  press(Qt::Key_P, "p");
+  CHECK(view->GetCamera().Position == before.Position);
+  const auto distance = [view]
+  {
+    const ViewFrame frame = view->GetFrame();
+    return Length(Difference(frame.Position, frame.FocalPoint));
+  };
+  const double farAway = distance();
+  press(Qt::Key_Plus, "+");
+  CHECK(distance() < 0.95 * farAway);
+  press(Qt::Key_Minus, "-");
+  CHECK(distance() == Approx(farAway));
+  press(Qt::Key_Left, "");
+  CHECK(Length(Difference(*view->GetCamera().Position, *before.Position)) > 0.01 * farAway);
 }
