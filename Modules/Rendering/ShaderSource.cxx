@@ -273,6 +273,7 @@ std::string DefineLightGroups(const Needs& needs)
 {
   const std::array<std::string, NumberOfLightKinds> kinds = { "DIRECTIONAL", "POINT", "SPOT" };
   std::string text = Define("LIGHTS", needs.GetNumberOfLights());
+  text += Define("SHADOWED_LIGHTS", needs.GetNumberOfShadowedLights());
   int first = 0;
   for (int kind = 0; kind < NumberOfLightKinds; ++kind)
   {

@@ -159,6 +159,11 @@ void SceneOptions::ExpectReflection(LightingRequirements& needs) const
   {
     needs.Lights = this->lights;
   }
+  if (needs.GetNumberOfShadowedLights() > 0)
+  {
+    needs.Technique = this->technique;
+    needs.NearShadowRays = this->technique != ShadowTechnique::Rays;
+  }
   const bool lit = needs.GetNumberOfLights() > 0;
   needs.Diffuse = (lit || mirrors) && this->diffuse;
   needs.Specular = (lit || mirrors) && shines;
@@ -191,6 +196,8 @@ void SetOptions(IlluminatedScene& scene, const SceneOptions& options)
   SetMaterial(vtkVolumeMaterial::SafeDownCast(scene.Volume->GetProperty()), options);
   SetOptics(scene, options.optics);
   scene.Mapper->SetSkipEmptySpace(options.emptySpace);
+  scene.Mapper->SetShadowTechnique(
+    vtkIlluminatedVolumeMapper::Rays + static_cast<int>(options.technique));
   scene.Mapper->SetGradientEstimator(static_cast<int>(options.gradient));
   scene.Mapper->SetGradientTextureBits(options.gradientTexture ? 8 : 0);
   vtkVolumeProperty* property = scene.Volume->GetProperty();

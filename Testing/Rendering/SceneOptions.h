@@ -21,6 +21,7 @@ struct SceneOptions
   bool noiseFading = true;
   /// As many lights of each kind and shadow state.
   std::array<std::array<int, NumberOfShadowKinds>, NumberOfLightKinds> lights{};
+  ShadowTechnique technique = ShadowTechnique::Rays;
   bool diffuse = true;
   bool specular = true;
   bool twoSided = true;

@@ -72,6 +72,20 @@ std::string Check(const std::string& text, const std::vector<std::string>& symbo
   return wrong;
 }
 
+// What is kept of shadows is looked up in one place.
+std::string FindWrongTechniques(const LightingRequirements& requirements, const std::string& text)
+{
+  const auto shadowedBy = [&](ShadowTechnique technique)
+  { return requirements.GetNumberOfShadowedLights() > 0 && requirements.Technique == technique; };
+  const bool maps = shadowedBy(ShadowTechnique::Map) || shadowedBy(ShadowTechnique::DeepMap);
+  const bool hard = requirements.GetNumberOfLights(ShadowKind::Hard) > 0;
+  return Check(
+           text, { "uniform sampler3D scene_shadowVolume;" }, shadowedBy(ShadowTechnique::Volume)) +
+    Check(text, { "uniform sampler3D scene_shadowMaps;", "mapPlaceOf(" }, maps) +
+    Check(text, { "1.0 - keptDarkness(" }, hard && shadowedBy(ShadowTechnique::Map)) +
+    Check(text, { "ThinnestShadow" }, hard && requirements.Technique != ShadowTechnique::Map);
+}
+
 // Each kind and shadow state has a loop of its own.
 std::string FindWrongLoops(const LightingRequirements& requirements, const std::string& text)
 {
@@ -188,6 +202,7 @@ std::string FindWrongSymbols(const LightingRequirements& requirements, const std
   wrong += Check(text, { "colorOf(" }, !integrated && requirements.NeedsColor());
   wrong += Check(text, { "scene_points", "scene_pointSearchSteps" }, !table);
   wrong += FindWrongLoops(requirements, text);
+  wrong += FindWrongTechniques(requirements, text);
   wrong += FindWrongTerms(requirements, text);
   wrong += FindWrongModels(requirements, text);
   wrong += Check(text, RegionSymbols, requirements.Cropping == CroppingKind::Regions);

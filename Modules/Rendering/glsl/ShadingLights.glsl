@@ -8,6 +8,9 @@ vec3 shadedColor(vec3 position, vec3 color, vec3 view)
   Reflection sum = Reflection(vec3(0.0), vec3(0.0));
   if (reflects(point))
   {
+#if SHADOWED_LIGHTS > 0
+    lookUpShadows(point.position);
+#endif
 #if DIRECTIONAL_LIGHTS > 0
     addDirectionalLights(point, sum);
 #endif

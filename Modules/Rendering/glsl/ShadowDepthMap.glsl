@@ -95,3 +95,8 @@ float shadowDepth(vec3 position, int light, ShadowSegment towardsLight, float la
   float darkness = shadowDarkness(position, light, towardsLight);
   return marchedDepth(position, light, towardsLight) + largest * darkness * darkness;
 }
+
+// Lights share nothing.
+void lookUpShadows(vec3 position)
+{
+}

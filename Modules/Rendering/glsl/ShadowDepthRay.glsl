@@ -5,3 +5,8 @@ float shadowDepth(vec3 position, int light, ShadowSegment towardsLight, float la
 {
   return opticalDepth(position, towardsLight.direction, towardsLight.begin, towardsLight.end, towardsLight.enough);
 }
+
+// Lights share nothing.
+void lookUpShadows(vec3 position)
+{
+}

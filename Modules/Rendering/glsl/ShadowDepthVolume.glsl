@@ -13,11 +13,26 @@ uniform vec3 scene_shadowVolumeOffset;
 uniform vec4 scene_lightShadowComponent[LIGHTS]; // 1 for the light's component; all 0: nothing is kept
 uniform vec2 scene_lightShadowVolume[LIGHTS];    // where its block begins; length that is marched
 
-float shadowDepth(vec3 position, int light, ShadowSegment towardsLight, float largest)
+vec4 keptRoots; // of the first four lights, at the sample that is being lit
+
+void lookUpShadows(vec3 position)
 {
+  keptRoots = texture(scene_shadowVolume, position * scene_shadowVolumeScale + scene_shadowVolumeOffset);
+}
+
+float keptRootAt(vec3 position, int light)
+{
+#if SHADOWED_LIGHTS > 4
   vec3 texel = position * scene_shadowVolumeScale + scene_shadowVolumeOffset;
   texel.z += scene_lightShadowVolume[light].x;
-  float root = dot(texture(scene_shadowVolume, texel), scene_lightShadowComponent[light]);
+  return dot(texture(scene_shadowVolume, texel), scene_lightShadowComponent[light]);
+#endif
+  return dot(keptRoots, scene_lightShadowComponent[light]);
+}
+
+float shadowDepth(vec3 position, int light, ShadowSegment towardsLight, float largest)
+{
+  float root = keptRootAt(position, light);
   float depth = largest * root * root;
 #if SHADOW_RAYS > 0
   float marched = scene_lightShadowVolume[light].y;
