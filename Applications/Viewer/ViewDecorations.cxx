@@ -97,9 +97,9 @@ void ViewDecorations::SetLetters(bool isPatient)
   this->Cube->SetYMinusFaceText(isPatient ? "A" : "-Y");
   this->Cube->SetZPlusFaceText(isPatient ? "S" : "Z");
   this->Cube->SetZMinusFaceText(isPatient ? "I" : "-Z");
-  // So that letters stand upright, seen from the front with the head up.
-  this->Cube->SetZFaceTextRotation(0.0);
-  this->Cube->SetXFaceTextRotation(90.0);
+  // Letters stand upright with the head up, and from above and below with the front up.
+  this->Cube->SetZFaceTextRotation(90.0);
+  this->Cube->SetXFaceTextRotation(0.0);
   this->Cube->SetYFaceTextRotation(0.0);
 }
 
