@@ -24,6 +24,7 @@
 #include <vtkRendererCollection.h>
 #include <vtkVolume.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace penumbra
@@ -36,7 +37,9 @@ constexpr double FluidRate = 10.0;
 constexpr double AssumedSecondsOfFrame = 2.0;
 // Nothing moves when it has not for so long.
 constexpr int StillMilliseconds = 250;
-// Frames that take longer than this many seconds come only after a longer pause.
+// Whole frames that take longer than this many seconds come only after a longer pause, and before
+// them quick ones.
+constexpr double LongestFrame = 3.0;
 constexpr double LongestQuickFrame = 1.0;
 constexpr int LongStillMilliseconds = 1000;
 constexpr double KeyDegrees = 5.0;
@@ -108,6 +111,7 @@ void VolumeView::ShowOpened()
   this->Window->AddRenderer(this->Rendering->GetRenderer());
   this->AttachDecorations();
   this->Quality.NoteFrame(AssumedSecondsOfFrame, 1);
+  this->SecondsOfLastWholeFrame = 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -133,6 +137,7 @@ void VolumeView::ShowChanged()
   {
     this->Rendering->Update(scene, this->Document->GetVoxels().Environment);
   }
+  this->SceneChanged = true;
   this->ScheduleFrame();
 }
 
@@ -244,6 +249,10 @@ void VolumeView::Refine()
 int VolumeView::FindStillDistance() const
 {
   // Where a whole frame would hold the window up for long, one comes before that does not.
+  if (this->SecondsOfLastWholeFrame <= LongestFrame)
+  {
+    return 1;
+  }
   const int quick = this->Quality.FindDistance(1.0 / LongestQuickFrame);
   return quick < this->Distance ? quick : 1;
 }
@@ -322,6 +331,18 @@ void VolumeView::mouseDoubleClickEvent(QMouseEvent* event)
 }
 
 //------------------------------------------------------------------------------
+bool VolumeView::ShadowsChange() const
+{
+  const auto& lights = this->Document->GetScene().Lights;
+  const auto followsCamera = [](const LightDescription& light)
+  {
+    return light.On && light.Shadow != ShadowKind::None &&
+      (light.Frame == LightFrame::Camera || light.Type == LightType::Headlight);
+  };
+  return this->SceneChanged || std::any_of(lights.begin(), lights.end(), followsCamera);
+}
+
+//------------------------------------------------------------------------------
 void VolumeView::Draw(int distance)
 {
   if (!this->Rendering || !this->isValid())
@@ -331,14 +352,28 @@ void VolumeView::Draw(int distance)
   this->SetRayDistance(distance);
   this->Decorations->FitScaleBar();
   const auto before = std::chrono::steady_clock::now();
+  // What is kept of shadows would have to be made anew for a frame that is soon outdated.
+  auto* const mapper =
+    distance > 1 && this->ShadowsChange() ? this->Rendering->GetIlluminatedMapper() : nullptr;
+  const int technique = mapper ? mapper->GetShadowTechnique() : 0;
+  if (mapper)
+  {
+    mapper->SetShadowTechniqueToRays();
+  }
   this->Window->Render();
   this->Window->WaitForCompletion();
+  if (mapper)
+  {
+    mapper->SetShadowTechnique(technique);
+  }
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
   this->Quality.NoteFrame(passed.count(), distance);
   this->Distance = distance;
   this->Refined = distance == 1;
   if (this->Refined)
   {
+    this->SecondsOfLastWholeFrame = passed.count();
+    this->SceneChanged = false;
     this->RefineTimer.stop();
     this->TellWarnings();
     emit this->refined(passed.count());

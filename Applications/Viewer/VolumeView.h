@@ -86,6 +86,7 @@ private:
   void DrawMoving();
   void Refine();
   int FindStillDistance() const;
+  bool ShadowsChange() const;
   void Draw(int distance);
   int FindMovingDistance();
   void SetRayDistance(int distance);
@@ -98,6 +99,8 @@ private:
   std::unique_ptr<ViewDecorations> Decorations;
   RendererChoice Renderer = RendererChoice::Penumbra;
   ViewQuality Quality;
+  double SecondsOfLastWholeFrame = 0.0;
+  bool SceneChanged = false;
   QTimer FrameTimer;
   QTimer RefineTimer;
   int Distance = 1;
