@@ -4,6 +4,7 @@
 #include "PropertyForm.h"
 #include "RenderingForm.h"
 #include "SceneDocument.h"
+#include "ScrollableArea.h"
 #include "TransferFunctionChart.h"
 
 #include <QScrollArea>
@@ -28,10 +29,7 @@ AppearancePanel::AppearancePanel(SceneDocument* document, VolumeView* view, QWid
   auto* const material = new PropertyForm(document, this);
   FillMaterialForm(material, document);
   material->Refresh();
-  auto* const area = new QScrollArea(this);
-  area->setWidget(material);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
+  QScrollArea* area = MakeScrollable(material);
   area->setMinimumHeight(90);
   splitter->addWidget(area);
   splitter->setStretchFactor(2, 1);

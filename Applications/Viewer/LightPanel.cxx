@@ -5,6 +5,7 @@
 #include "LightForms.h"
 #include "PropertyForm.h"
 #include "SceneDocument.h"
+#include "ScrollableArea.h"
 #include "VolumeBox.h"
 #include "VolumeView.h"
 
@@ -47,16 +48,6 @@ QToolButton* MakeMenuButton(
   button->setMenu(menu);
   button->setPopupMode(QToolButton::InstantPopup);
   return button;
-}
-
-QScrollArea* MakeScrollable(QWidget* content)
-{
-  auto* const area = new QScrollArea;
-  area->setWidget(content);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  return area;
 }
 }
 

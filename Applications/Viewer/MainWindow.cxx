@@ -17,6 +17,7 @@
 #include "RenderingForm.h"
 #include "SceneDocument.h"
 #include "SceneOpening.h"
+#include "ScrollableArea.h"
 #include "SeriesDialog.h"
 #include "StartPage.h"
 #include "ViewActions.h"
@@ -46,16 +47,6 @@ constexpr int RightWidth = 345;
 constexpr int LeftWidth = 240;
 constexpr int TreeHeight = 260;
 constexpr int InformationHeight = 440;
-
-QScrollArea* MakeScrollable(QWidget* content)
-{
-  auto* const area = new QScrollArea;
-  area->setWidget(content);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  return area;
-}
 }
 
 //------------------------------------------------------------------------------

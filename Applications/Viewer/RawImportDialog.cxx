@@ -51,7 +51,7 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
   auto* const form = new QFormLayout;
   column->addLayout(form);
   this->Proposals = ProposeLayouts(QFileInfo(file).fileName().toStdString(), this->FileBytes);
-  this->AddProposals(form, file);
+  this->AddProposals(form);
   this->AddControls(form);
   this->Verdict = new QLabel(this);
   this->Verdict->setWordWrap(true);
@@ -69,7 +69,7 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
-void RawImportDialog::AddProposals(QFormLayout* form, const QString&)
+void RawImportDialog::AddProposals(QFormLayout* form)
 {
   auto* const box = new QComboBox(this);
   Name(box, tr("Likely"), tr("Sizes and types that fill the file exactly, the likeliest first"));

@@ -33,7 +33,7 @@ public:
   const RawLayout& GetLayout() const { return this->Layout; }
 
 private:
-  void AddProposals(QFormLayout* form, const QString& file);
+  void AddProposals(QFormLayout* form);
   void AddControls(QFormLayout* form);
   void ShowLayout();
   void TakeLayout();
