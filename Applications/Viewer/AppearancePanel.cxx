@@ -32,7 +32,8 @@ AppearancePanel::AppearancePanel(SceneDocument* document, VolumeView* view, QWid
   QScrollArea* area = MakeScrollable(material);
   area->setMinimumHeight(90);
   splitter->addWidget(area);
-  splitter->setStretchFactor(2, 1);
+  splitter->setStretchFactor(1, 1);
+  splitter->setSizes({ 190, 220, 200 });
   column->addWidget(splitter);
 }
 
