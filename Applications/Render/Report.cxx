@@ -80,7 +80,7 @@ Json DescribeEmptySpace(vtkIlluminatedVolumeMapper* mapper)
   }
   return { { "bricks", mapper->GetNumberOfBricks() },
     { "occupiedBricks", mapper->GetNumberOfOccupiedBricks() },
-    { "brickEdge", mapper->GetBrickEdge() } };
+    { "brickEdge", mapper->GetBrickEdge() }, { "meanVoxelDepth", mapper->GetMeanVoxelDepth() } };
 }
 
 // Null where rays are marched, which keep nothing between frames.
@@ -92,7 +92,7 @@ Json DescribeKeptShadows(vtkIlluminatedVolumeMapper* mapper)
   }
   return { { "bytes", mapper->GetShadowBytes() },
     { "resolution", mapper->GetActualShadowResolution() },
-    { "nearSteps", mapper->GetShadowNearSteps() },
+    { "nearSteps", mapper->GetActualShadowNearSteps() },
     { "lightsComputed", mapper->GetNumberOfShadowUpdates() } };
 }
 

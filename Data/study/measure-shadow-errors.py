@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 """Measures the shadow techniques' errors that the technique "auto" is calibrated by.
 
-usage: measure-shadow-errors.py PENUMBRA_RENDER FOLDER   FOLDER: engine.mhd, aneurism.mhd, headsq.mhd
+usage: measure-shadow-errors.py PENUMBRA_RENDER FOLDER   FOLDER: bonsai.mhd, engine.mhd, headsq.mhd
 Writes ShadowErrors.inc and SteepShadowErrors.inc, which belong into Modules/Rendering.
 
 Errors are root mean squares over a picture of 256 x 256 pixels, in grey levels of 255, against rays of
 half the step. Those of a volume are divided by the ratio of the largest to the smallest spacing.
+None counts as less than that of thinner matter.
 """
 import array, json, math, os, subprocess, sys, tempfile
 
 render, folder = sys.argv[1:3]
 SHAPES = {"fog": [[0, 0], [1, 0.03]], "soft": [[0, 0], [0.4, 0.06], [1, 0.3]],
+          "dense": [[0, 0], [0.15, 0.05], [1, 0.8]],
           "bone": [[0, 0], [0.12, 0.35], [0.4, 0.75], [1, 0.95]], "opaque": [[0, 0], [0.02, 0.9], [1, 0.98]]}
-SCENES = [("engine", "fog"), ("engine", "soft"), ("engine", "bone"), ("engine", "opaque"), ("aneurism", "bone"),
-          ("headsq", "soft"), ("headsq", "bone")]
+SCENES = [("engine", "fog"), ("engine", "soft"), ("engine", "dense"), ("bonsai", "dense"), ("engine", "bone"), ("engine", "opaque"), ("bonsai", "soft"),
+          ("bonsai", "bone"), ("headsq", "soft"), ("headsq", "bone")]
 FINE = ["shadows.resolution=1", "shadows.nearSteps=4"]
 COARSE = ["shadows.resolution=0.5", "shadows.nearSteps=0"]
 OPTIONS = [("rays", FINE), ("volume", COARSE), ("volume", FINE), ("deep-map", FINE)]
@@ -49,7 +51,6 @@ for volume, shape in SCENES:
         file = work + "/scene.json"
         json.dump(scene, open(file, "w"))
         spacing = report["volume"]["spacing"]
-        depth = -math.log(1 - SHAPES[shape][-1][1]) / scene["transferFunction"]["opacityUnitDistance"] * step
         errors = {}
         for shadow in "soft", "hard":
             light = "lights.0.shadow=" + shadow
@@ -60,13 +61,18 @@ for volume, shape in SCENES:
                                     *settings)
                 scale = max(spacing) / min(spacing) if technique == "volume" else 1.0
                 found.append(max(rmse(picture, truth) / scale, 0.01))
-            errors[shadow] = ", ".join(f"{e:.2f}" for e in found)
-        steep = report["requirements"]["pre-integration"] == "yes"
-        lines[steep].append((depth, f"{{ {depth:.2f}, {{ {errors['soft']} }}, {{ {errors['hard']} }} }},"))
+            errors[shadow] = found
+        depth = report["emptySpace"]["meanVoxelDepth"]
+        lines[shape == "opaque"].append((depth, errors["soft"] + errors["hard"]))
 
-HEADS = {False: """// Made by Data/study/measure-shadow-errors.py. A scene a line: the largest optical depth over a voxel,
+HEADS = {False: """// Made by Data/study/measure-shadow-errors.py. A scene a line: the optical depth over a voxel,
 // then errors of rays, coarse and fine volume and deep map, of a soft shadow and of a hard one.
 """, True: "// Made by Data/study/measure-shadow-errors.py, see ShadowErrors.inc.\n"}
 for steep, name in ((False, "ShadowErrors.inc"), (True, "SteepShadowErrors.inc")):
     with open(name, "w") as out:
-        out.write(HEADS[steep] + "".join(line + "\n" for _, line in sorted(lines[steep])))
+        out.write(HEADS[steep])
+        largest = [0.0] * 8
+        for depth, errors in sorted(lines[steep]):
+            largest = [max(pair) for pair in zip(largest, errors)]
+            soft, hard = (", ".join(f"{error:.2f}" for error in largest[half:half + 4]) for half in (0, 4))
+            out.write(f"{{ {depth:.3f}, {{ {soft} }}, {{ {hard} }} }},\n")

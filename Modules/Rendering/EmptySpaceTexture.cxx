@@ -7,6 +7,8 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace penumbra
@@ -25,6 +27,33 @@ BrickGrid ChooseGrid(const std::array<int, 3>& dimensions)
     grid = MakeBrickGrid(dimensions, 2 * grid.Edge);
   }
   return grid;
+}
+
+double GetExtinction(const TransferFunctionTable& table, double scalar)
+{
+  const double last = table.GetSize() - 1.0;
+  const double entry = (scalar - table.Low) / (table.High - table.Low) * last;
+  return table.Extinction[static_cast<std::size_t>(std::clamp(std::round(entry), 0.0, last))];
+}
+
+// The largest extinction of a brick is taken from both ends and the middle of its scalars.
+double ComputeMeanExtinction(const ScalarBricks& bricks, const std::vector<unsigned char>& occupied,
+  const TransferFunctionTable& table)
+{
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t brick = 0; brick < occupied.size(); ++brick)
+  {
+    if (occupied[brick])
+    {
+      const double low = bricks.Low[brick];
+      const double high = bricks.High[brick];
+      sum += std::max({ GetExtinction(table, low), GetExtinction(table, 0.5 * low + 0.5 * high),
+        GetExtinction(table, high) });
+      ++count;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 }
 
@@ -49,13 +78,15 @@ void EmptySpaceTexture::ComputeBricks(
 }
 
 //------------------------------------------------------------------------------
-void EmptySpaceTexture::Load(
-  vtkOpenGLRenderWindow* window, const VisibleScalars& visible, const BrickVisibility& visibility)
+void EmptySpaceTexture::Load(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table,
+  const BrickVisibility& visibility)
 {
   const BrickGrid& grid = this->Bricks.Grid;
-  const std::vector<unsigned char> occupied = FindOccupiedBricks(this->Bricks, visible, visibility);
+  const std::vector<unsigned char> occupied =
+    FindOccupiedBricks(this->Bricks, VisibleScalars(table), visibility);
   const auto count = std::count(occupied.begin(), occupied.end(), 1);
-  this->Report = { grid.Edge, grid.GetNumberOfBricks(), static_cast<int>(count) };
+  this->Report = { grid.Edge, grid.GetNumberOfBricks(), static_cast<int>(count),
+    ComputeMeanExtinction(this->Bricks, occupied, table) };
   std::vector<unsigned char> cubes = ComputeEmptyCubes(occupied, grid);
   constexpr int octants = 8;
   this->Texture->SetContext(window);

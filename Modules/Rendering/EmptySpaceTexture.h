@@ -23,12 +23,16 @@ class vtkShaderProgram;
 namespace penumbra
 {
 
+struct TransferFunctionTable;
+
 /// What leaping works with.
 struct EmptySpaceReport
 {
   int BrickEdge = 0;
   int Bricks = 0;
   int OccupiedBricks = 0;
+  /// Mean over the occupied bricks of the largest extinction in each.
+  double MeanExtinction = 0.0;
 
   /// Whether rays have enough to leap over to make up for the look-ups.
   bool Helps() const;
@@ -43,8 +47,8 @@ public:
   void ComputeBricks(
     vtkDataArray* scalars, const std::array<int, 3>& dimensions, const ScalarRange& range);
   const BrickGrid& GetGrid() const { return this->Bricks.Grid; }
-  /// Finds what is occupied and loads the cubes.
-  void Load(vtkOpenGLRenderWindow* window, const VisibleScalars& visible,
+  /// Finds what the table makes visible and loads the cubes.
+  void Load(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table,
     const BrickVisibility& visibility);
   const EmptySpaceReport& GetReport() const { return this->Report; }
 

@@ -10,14 +10,16 @@ namespace penumbra
 {
 namespace
 {
-// Errors of rays, volume and deep map.
-using TechniqueErrors = std::array<double, 3>;
+constexpr std::size_t NumberOfOptions = 4;
+
+// Of the options, in their order.
+using OptionErrors = std::array<double, NumberOfOptions>;
 
 struct MeasuredErrors
 {
   double VoxelDepth;
-  TechniqueErrors Soft;
-  TechniqueErrors Hard;
+  OptionErrors Soft;
+  OptionErrors Hard;
 };
 
 // Ascending in the voxel depth.
@@ -30,33 +32,23 @@ constexpr MeasuredErrors SteepMatter[] = {
 #include "SteepShadowErrors.inc"
 };
 
-constexpr std::array<ShadowTechnique, 3> Techniques = { ShadowTechnique::Rays,
+constexpr int NearSteps = 4;
+constexpr double CoarseResolution = 0.5;
+
+// In the order of the options.
+constexpr ShadowTechnique Techniques[] = { ShadowTechnique::Rays, ShadowTechnique::Volume,
   ShadowTechnique::Volume, ShadowTechnique::DeepMap };
 
-// A map of first hits, which is never chosen, counts as a deep map.
-std::size_t IndexOf(ShadowTechnique technique)
+double GetError(const MeasuredErrors& measured, std::size_t option, const ShadowChoiceTask& task)
 {
-  switch (technique)
-  {
-    case ShadowTechnique::Rays:
-      return 0;
-    case ShadowTechnique::Volume:
-      return 1;
-    default:
-      return 2;
-  }
-}
-
-double GetError(const MeasuredErrors& measured, std::size_t technique, const ShadowChoiceTask& task)
-{
-  return std::max(task.SoftLights > 0 ? measured.Soft[technique] : 0.0,
-    task.HardLights > 0 ? measured.Hard[technique] : 0.0);
+  return std::max(task.SoftLights > 0 ? measured.Soft[option] : 0.0,
+    task.HardLights > 0 ? measured.Hard[option] : 0.0);
 }
 
 // Linear over the logarithm of the voxel depth, constant beyond what was measured.
 template <std::size_t Size>
 double Interpolate(
-  const MeasuredErrors (&measured)[Size], std::size_t technique, const ShadowChoiceTask& task)
+  const MeasuredErrors (&measured)[Size], std::size_t option, const ShadowChoiceTask& task)
 {
   std::size_t next = 0;
   while (next < Size && measured[next].VoxelDepth < task.VoxelDepth)
@@ -65,13 +57,13 @@ double Interpolate(
   }
   if (next == 0 || next == Size)
   {
-    return GetError(measured[next == 0 ? 0 : Size - 1], technique, task);
+    return GetError(measured[next == 0 ? 0 : Size - 1], option, task);
   }
   const MeasuredErrors& low = measured[next - 1];
   const MeasuredErrors& high = measured[next];
   const double part =
     std::log(task.VoxelDepth / low.VoxelDepth) / std::log(high.VoxelDepth / low.VoxelDepth);
-  return (1.0 - part) * GetError(low, technique, task) + part * GetError(high, technique, task);
+  return (1.0 - part) * GetError(low, option, task) + part * GetError(high, option, task);
 }
 
 // Samples of a pixel that are lit before what lies behind them is hidden.
@@ -85,36 +77,38 @@ double CountLitSamples(const ShadowChoiceTask& task)
 }
 
 //------------------------------------------------------------------------------
-double PredictShadowError(ShadowTechnique technique, const ShadowChoiceTask& task)
+double PredictShadowError(ShadowOption option, const ShadowChoiceTask& task)
 {
-  const std::size_t index = IndexOf(technique);
+  const auto index = static_cast<std::size_t>(option);
   const double error = task.SteepOpacity ? Interpolate(SteepMatter, index, task)
                                          : Interpolate(SmoothMatter, index, task);
   // A volume's texels are as far apart as voxels.
-  const double coarseness = technique == ShadowTechnique::Volume ? task.SpacingRatio : 1.0;
+  const double coarseness = Techniques[index] == ShadowTechnique::Volume ? task.SpacingRatio : 1.0;
   // Errors of several lights add up by their squares.
   return coarseness * error * std::sqrt(std::max(task.SoftLights + task.HardLights, 1));
 }
 
 //------------------------------------------------------------------------------
-double PredictShadowCost(ShadowTechnique technique, const ShadowChoiceTask& task)
+double PredictShadowCost(ShadowOption option, const ShadowChoiceTask& task)
 {
   // What is kept serves about a second of moving pictures.
   constexpr double pictures = 32.0;
   // Rays end, or leap, well before the far side.
   constexpr double marchedPart = 0.25;
-  constexpr double volumeLookUp = 5.0;
-  constexpr double mapLookUp = 9.0;
+  constexpr double volumeLookUp = 1.0;
+  constexpr double mapLookUp = 5.0;
   const double lights = task.SoftLights + task.HardLights;
   const double samples = lights * task.Pixels * CountLitSamples(task);
   const double ray = marchedPart * task.VoxelsAcross;
-  switch (technique)
+  const double texels = lights * task.Voxels * task.Occupied;
+  switch (option)
   {
-    case ShadowTechnique::Volume:
-      return samples * volumeLookUp + lights * task.Voxels * task.Occupied * 2.0 * ray / pictures;
-    case ShadowTechnique::Map:
-    case ShadowTechnique::DeepMap:
-      return samples * mapLookUp +
+    case ShadowOption::CoarseVolume:
+      return samples * volumeLookUp + texels * std::pow(CoarseResolution, 3) * 2.0 * ray / pictures;
+    case ShadowOption::FineVolume:
+      return samples * (volumeLookUp + NearSteps) + texels * 2.0 * ray / pictures;
+    case ShadowOption::DeepMap:
+      return samples * (mapLookUp + NearSteps) +
         lights * task.VoxelsAcross * task.VoxelsAcross * 4.0 * task.VoxelsAcross / pictures;
     default:
       return samples * ray;
@@ -130,9 +124,9 @@ ShadowChoice ChooseShadowTechnique(const ShadowChoiceTask& task)
     choice.Reason = "no light casts a shadow";
     return choice;
   }
-  const auto error = [&](ShadowTechnique technique) { return PredictShadowError(technique, task); };
-  const auto cost = [&](ShadowTechnique technique) { return PredictShadowCost(technique, task); };
-  const auto cheaper = [&](ShadowTechnique a, ShadowTechnique b)
+  const auto error = [&](ShadowOption option) { return PredictShadowError(option, task); };
+  const auto cost = [&](ShadowOption option) { return PredictShadowCost(option, task); };
+  const auto cheaper = [&](ShadowOption a, ShadowOption b)
   {
     const bool aWithin = error(a) <= task.Tolerance;
     const bool bWithin = error(b) <= task.Tolerance;
@@ -142,8 +136,14 @@ ShadowChoice ChooseShadowTechnique(const ShadowChoiceTask& task)
     }
     return aWithin ? cost(a) < cost(b) : error(a) < error(b);
   };
-  choice.Technique = *std::min_element(Techniques.begin(), Techniques.end(), cheaper);
-  choice.PredictedError = error(choice.Technique);
+  constexpr std::array<ShadowOption, NumberOfOptions> options = { ShadowOption::Rays,
+    ShadowOption::CoarseVolume, ShadowOption::FineVolume, ShadowOption::DeepMap };
+  choice.Option = *std::min_element(options.begin(), options.end(), cheaper);
+  choice.Technique = Techniques[static_cast<std::size_t>(choice.Option)];
+  const bool isCoarse = choice.Option == ShadowOption::CoarseVolume;
+  choice.Resolution = isCoarse ? CoarseResolution : 1.0;
+  choice.NearSteps = isCoarse ? 0 : NearSteps;
+  choice.PredictedError = error(choice.Option);
   const bool within = choice.PredictedError <= task.Tolerance;
   std::ostringstream reason;
   reason << std::fixed << std::setprecision(2) << "predicted error of " << choice.PredictedError

@@ -3,7 +3,7 @@
  * @brief   the cheapest shadow technique whose predicted error is within a tolerance
  *
  * A function of the scene alone, never of a clock: the same scene has the same shadows everywhere.
- * Errors are predicted by a measured ones (ShadowErrors.inc, which
+ * Errors are predicted by measured ones (ShadowErrors.inc, which
  * Data/study/measure-shadow-errors.py makes), costs by counting the steps that are marched.
  */
 
@@ -22,7 +22,7 @@ struct ShadowChoiceTask
 {
   int SoftLights = 0;
   int HardLights = 0;
-  /// The largest optical depth that matter has over a voxel.
+  /// Optical depth over a voxel of the densest matter of a brick, on average.
   double VoxelDepth = 0.0;
   /// Of the largest spacing to the smallest.
   double SpacingRatio = 1.0;
@@ -36,23 +36,36 @@ struct ShadowChoiceTask
   double Tolerance = 1.0; ///< root mean square error in grey levels of 255
 };
 
+/// What there is to choose from: rays; a volume of half the data's resolution; one of its full
+/// resolution, or deep maps, with the first steps marched.
+enum class ShadowOption
+{
+  Rays,
+  CoarseVolume,
+  FineVolume,
+  DeepMap
+};
+
 struct ShadowChoice
 {
+  ShadowOption Option = ShadowOption::Rays;
   ShadowTechnique Technique = ShadowTechnique::Rays;
+  double Resolution = 1.0; ///< of what is kept, to be multiplied by the resolution that is asked
+  int NearSteps = 0;       ///< that are marched
   double PredictedError = 0.0; ///< in grey levels of 255
   std::string Reason;          ///< one clause
 };
 
 /// Predicted root mean square error of a picture against shadow rays of half the step.
 PENUMBRARENDERING_EXPORT double PredictShadowError(
-  ShadowTechnique technique, const ShadowChoiceTask& task);
+  ShadowOption option, const ShadowChoiceTask& task);
 
 /// Predicted cost of a picture's shadows, in marched steps; of what is kept a part, as if it served
 /// several pictures.
 PENUMBRARENDERING_EXPORT double PredictShadowCost(
-  ShadowTechnique technique, const ShadowChoiceTask& task);
+  ShadowOption option, const ShadowChoiceTask& task);
 
-/// Where no technique is within the tolerance, the one of the least error.
+/// Where none is within the tolerance, the one of the least error.
 PENUMBRARENDERING_EXPORT ShadowChoice ChooseShadowTechnique(const ShadowChoiceTask& task);
 
 }

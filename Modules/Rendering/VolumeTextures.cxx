@@ -135,7 +135,7 @@ bool VolumeTextures::UpdateEmptySpace(vtkOpenGLRenderWindow* window, const Cropp
     visibility.ShownByMask =
       FindShownBricks(this->LoadedMask->GetPointData()->GetScalars(), this->EmptySpace.GetGrid());
   }
-  this->EmptySpace.Load(window, VisibleScalars(this->Table), visibility);
+  this->EmptySpace.Load(window, this->Table, visibility);
   this->LoadedRegions = regions;
   this->EmptySpaceTime.Modified();
   return this->EmptySpace.GetReport().Helps();
@@ -317,13 +317,6 @@ void VolumeTextures::LoadGradientOpacity(
   this->GradientOpacityTexture->Create1DFromRaw(
     static_cast<unsigned int>(this->GradientOpacity.Opacity.size()), 1, VTK_FLOAT,
     this->GradientOpacity.Opacity.data());
-}
-
-//------------------------------------------------------------------------------
-double VolumeTextures::GetLargestExtinction() const
-{
-  const auto& extinction = this->Table.Extinction;
-  return extinction.empty() ? 0.0 : *std::max_element(extinction.begin(), extinction.end());
 }
 
 //------------------------------------------------------------------------------

@@ -49,8 +49,6 @@ public:
   bool HasNonFiniteScalars() const { return !this->Scalars.GetRange().AllFinite; }
   vtkMTimeType GetScalarsTime() const { return this->ScalarsTime.GetMTime(); }
   vtkMTimeType GetMaskTime() const { return this->MaskTime.GetMTime(); }
-  /// Of the transfer function, per own length.
-  double GetLargestExtinction() const;
   bool HasMask() const { return this->LoadedMask != nullptr; }
   bool AreTransferFunctionsAccurate() const { return this->Table.Accurate; }
   TransferFunctionLookup GetLookup() const { return this->Table.Lookup; }

@@ -65,6 +65,7 @@ public:
   double ImageSampleDistance = 1.0; ///< of the last frame
   bool AnythingVisible = true;
   std::string ShadowReason;
+  int ShadowNearSteps = 0; ///< of the last frame
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::vector<std::string> Messages;
   std::set<std::string> MessagesGiven;
@@ -105,6 +106,12 @@ double vtkIlluminatedVolumeMapper::GetActualShadowSampleDistance() const
 double vtkIlluminatedVolumeMapper::GetActualImageSampleDistance() const
 {
   return this->Internal->ImageSampleDistance;
+}
+
+//------------------------------------------------------------------------------
+int vtkIlluminatedVolumeMapper::GetActualShadowNearSteps() const
+{
+  return this->Internal->ShadowNearSteps;
 }
 
 //------------------------------------------------------------------------------
@@ -188,19 +195,31 @@ double vtkIlluminatedVolumeMapper::GetGradientTextureAngularError() const
 //------------------------------------------------------------------------------
 int vtkIlluminatedVolumeMapper::GetNumberOfBricks() const
 {
-  return this->Internal->Drawing.GetTextures().GetEmptySpaceReport().Bricks;
+  return this->SkipEmptySpace ? this->Internal->Drawing.GetTextures().GetEmptySpaceReport().Bricks
+                              : 0;
 }
 
 //------------------------------------------------------------------------------
 int vtkIlluminatedVolumeMapper::GetNumberOfOccupiedBricks() const
 {
-  return this->Internal->Drawing.GetTextures().GetEmptySpaceReport().OccupiedBricks;
+  return this->SkipEmptySpace
+    ? this->Internal->Drawing.GetTextures().GetEmptySpaceReport().OccupiedBricks
+    : 0;
 }
 
 //------------------------------------------------------------------------------
 int vtkIlluminatedVolumeMapper::GetBrickEdge() const
 {
-  return this->Internal->Drawing.GetTextures().GetEmptySpaceReport().BrickEdge;
+  return this->SkipEmptySpace
+    ? this->Internal->Drawing.GetTextures().GetEmptySpaceReport().BrickEdge
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetMeanVoxelDepth() const
+{
+  return this->Internal->Drawing.GetTextures().GetEmptySpaceReport().MeanExtinction *
+    this->Internal->Scene.Placement.SmallestSpacing;
 }
 
 //------------------------------------------------------------------------------
@@ -558,7 +577,7 @@ void vtkIlluminatedVolumeMapper::PrepareGradients(vtkOpenGLRenderWindow* window)
 bool vtkIlluminatedVolumeMapper::PrepareEmptySpace()
 {
   VolumeTextures& textures = this->Internal->Drawing.GetTextures();
-  if (!this->SkipEmptySpace)
+  if (!this->SkipEmptySpace && this->ShadowTechnique != Auto)
   {
     textures.DropEmptySpace(this->Internal->Window);
     return false;
@@ -576,7 +595,7 @@ bool vtkIlluminatedVolumeMapper::PrepareEmptySpace()
       regions.High[axis] = scene.CroppingHigh[axis] * voxels - 0.5;
     }
   }
-  return textures.UpdateEmptySpace(this->Internal->Window, regions);
+  return textures.UpdateEmptySpace(this->Internal->Window, regions) && this->SkipEmptySpace;
 }
 
 //------------------------------------------------------------------------------
@@ -609,6 +628,8 @@ void vtkIlluminatedVolumeMapper::PrepareNoiseFading(vtkVolumeProperty* property)
 ShadowSettings vtkIlluminatedVolumeMapper::GetShadowSettings(vtkRenderer* renderer)
 {
   ShadowSettings settings;
+  settings.Resolution = this->ShadowResolution;
+  settings.NearSteps = this->ShadowNearSteps;
   this->Internal->ShadowReason = "as asked";
   if (!this->Internal->AnythingVisible)
   {
@@ -618,15 +639,16 @@ ShadowSettings vtkIlluminatedVolumeMapper::GetShadowSettings(vtkRenderer* render
   {
     const ShadowChoice choice = this->ChooseShadows(renderer);
     settings.Technique = choice.Technique;
+    settings.Resolution *= choice.Resolution;
+    settings.NearSteps = choice.NearSteps;
     this->Internal->ShadowReason = choice.Reason;
   }
   else
   {
     settings.Technique = static_cast<penumbra::ShadowTechnique>(this->ShadowTechnique - Rays);
   }
-  settings.Resolution = this->ShadowResolution;
-  settings.NearSteps = this->ShadowNearSteps;
   settings.MemoryLimit = this->ShadowMemoryLimit;
+  this->Internal->ShadowNearSteps = settings.NearSteps;
   return settings;
 }
 
@@ -639,7 +661,10 @@ ShadowChoice vtkIlluminatedVolumeMapper::ChooseShadows(vtkRenderer* renderer)
   ShadowChoiceTask task;
   task.SoftLights = scene.Requirements.GetNumberOfLights(ShadowKind::Soft);
   task.HardLights = scene.Requirements.GetNumberOfLights(ShadowKind::Hard);
-  task.VoxelDepth = textures.GetLargestExtinction() * placement.SmallestSpacing;
+  // Whether rays leap over it or not: that must not change the choice.
+  const EmptySpaceReport& matter = textures.GetEmptySpaceReport();
+  task.VoxelDepth = matter.MeanExtinction * placement.SmallestSpacing;
+  task.Occupied = 1.0 * matter.OccupiedBricks / std::max(matter.Bricks, 1);
   task.SpacingRatio = placement.LargestSpacing / placement.SmallestSpacing;
   task.SteepOpacity = scene.Requirements.PreIntegrated;
   const int* size = renderer->GetSize();
@@ -650,10 +675,6 @@ ShadowChoice vtkIlluminatedVolumeMapper::ChooseShadows(vtkRenderer* renderer)
   {
     task.Voxels *=
       1.0 + (placement.BoxHigh[axis] - placement.BoxLow[axis]) * placement.Dimensions[axis];
-  }
-  if (scene.Requirements.EmptySpaceSkipping)
-  {
-    task.Occupied = 1.0 * this->GetNumberOfOccupiedBricks() / this->GetNumberOfBricks();
   }
   task.Tolerance = this->ShadowTolerance;
   return ChooseShadowTechnique(task);
@@ -676,7 +697,7 @@ void vtkIlluminatedVolumeMapper::PlanDraws()
   task.Lights = scene.Requirements.GetNumberOfLights();
   task.LookedUpShadows = static_cast<int>(scene.ShadowCasters.size());
   task.ShadowMaps = scene.MapsOfShadows.Lights > 0;
-  task.ShadowNearSteps = this->ShadowNearSteps;
+  task.ShadowNearSteps = this->Internal->ShadowNearSteps;
   task.ShadowedLights = scene.Requirements.GetNumberOfShadowedLights() - task.LookedUpShadows;
   task.LookupIterations = scene.Requirements.Opacity == TransferFunctionLookup::Points
     ? this->Internal->Drawing.GetTextures().GetLookupIterations()

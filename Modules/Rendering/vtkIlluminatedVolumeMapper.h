@@ -139,7 +139,8 @@ public:
   ///@{
   /**
    * With kept shadows, the first steps of a sample's shadow ray are marched and what is kept counts
-   * beyond them only: matter changes fastest where the sample is. Range: 0 or more. Default: 4.
+   * beyond them only: matter changes fastest where the sample is. Auto chooses, and chooses a
+   * resolution that may be below ShadowResolution too. Range: 0 or more. Default: 4.
    */
   vtkSetClampMacro(ShadowNearSteps, int, 0, 1024);
   vtkGetMacro(ShadowNearSteps, int);
@@ -155,12 +156,13 @@ public:
 
   ///@{
   /**
-   * What is kept of shadows after the last Render(): bytes, texels a voxel, how many lights were
-   * computed since this mapper was made, and the seconds that the last computation of any took. 0
-   * where nothing is kept.
+   * What is kept of shadows after the last Render(): bytes, texels a voxel, steps marched, how many
+   * lights were computed since this mapper was made, and the seconds that the last computation of
+   * any took. 0 where nothing is kept.
    */
   std::size_t GetShadowBytes() const;
   double GetActualShadowResolution() const;
+  int GetActualShadowNearSteps() const;
   int GetNumberOfShadowUpdates() const;
   double GetShadowUpdateSeconds() const;
   ///@}
@@ -232,6 +234,13 @@ public:
   int GetNumberOfOccupiedBricks() const;
   int GetBrickEdge() const;
   ///@}
+
+  /**
+   * How dense the visible matter of the last Render() was: the optical depth of the smallest
+   * spacing in the densest matter of a brick, on average over the occupied bricks. By it Auto
+   * predicts errors.
+   */
+  double GetMeanVoxelDepth() const;
 
   ///@{
   /**

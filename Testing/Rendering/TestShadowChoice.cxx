@@ -5,6 +5,9 @@ using namespace penumbra;
 
 namespace
 {
+constexpr ShadowOption Options[] = { ShadowOption::Rays, ShadowOption::CoarseVolume,
+  ShadowOption::FineVolume, ShadowOption::DeepMap };
+
 // A bone-like volume of 256^3 on 512 x 512 pixels, a tenth of it occupied.
 ShadowChoiceTask MakeTask()
 {
@@ -35,14 +38,13 @@ TEST_CASE("The chosen technique is the cheapest of those within the tolerance")
   task.Tolerance = GENERATE(0.1, 0.5, 1.0, 3.0, 10.0);
   const ShadowChoice choice = ChooseShadowTechnique(task);
   bool anyWithin = false;
-  for (const auto other :
-    { ShadowTechnique::Rays, ShadowTechnique::Volume, ShadowTechnique::DeepMap })
+  for (const ShadowOption other : Options)
   {
     const double error = PredictShadowError(other, task);
     anyWithin = anyWithin || error <= task.Tolerance;
     if (error <= task.Tolerance)
     {
-      CHECK(PredictShadowCost(choice.Technique, task) <= PredictShadowCost(other, task));
+      CHECK(PredictShadowCost(choice.Option, task) <= PredictShadowCost(other, task));
     }
   }
   CHECK((choice.PredictedError <= task.Tolerance) == anyWithin);
@@ -54,8 +56,7 @@ TEST_CASE("Where nothing is within the tolerance the least error counts")
   task.SteepOpacity = true;
   task.Tolerance = 0.01;
   const ShadowChoice choice = ChooseShadowTechnique(task);
-  for (const auto other :
-    { ShadowTechnique::Rays, ShadowTechnique::Volume, ShadowTechnique::DeepMap })
+  for (const ShadowOption other : Options)
   {
     CHECK(choice.PredictedError <= PredictShadowError(other, task));
   }
@@ -73,9 +74,25 @@ TEST_CASE("A large volume on a small picture is not worth a volume of shadows")
 TEST_CASE("Coarse slices count against a volume, whose texels stand at the voxels")
 {
   ShadowChoiceTask task = MakeTask();
-  const double even = PredictShadowError(ShadowTechnique::Volume, task);
+  const double even = PredictShadowError(ShadowOption::FineVolume, task);
+  const double map = PredictShadowError(ShadowOption::DeepMap, task);
   task.SpacingRatio = 3.0;
-  CHECK(PredictShadowError(ShadowTechnique::Volume, task) == Approx(3.0 * even));
-  CHECK(PredictShadowError(ShadowTechnique::DeepMap, task) ==
-    PredictShadowError(ShadowTechnique::DeepMap, MakeTask()));
+  CHECK(PredictShadowError(ShadowOption::FineVolume, task) == Approx(3.0 * even));
+  CHECK(PredictShadowError(ShadowOption::DeepMap, task) == map);
+}
+
+TEST_CASE(
+  "A coarse volume is taken where it will do, with no step marched, and a fine one where not")
+{
+  ShadowChoiceTask task = MakeTask();
+  task.VoxelDepth = 0.3;
+  const ShadowChoice coarse = ChooseShadowTechnique(task);
+  CHECK(coarse.Option == ShadowOption::CoarseVolume);
+  CHECK(coarse.Technique == ShadowTechnique::Volume);
+  CHECK(coarse.Resolution == 0.5);
+  CHECK(coarse.NearSteps == 0);
+  const double error = PredictShadowError(ShadowOption::CoarseVolume, task);
+  REQUIRE(PredictShadowError(ShadowOption::FineVolume, task) < error);
+  task.Tolerance = 0.999 * error;
+  CHECK(ChooseShadowTechnique(task).Option != ShadowOption::CoarseVolume);
 }
