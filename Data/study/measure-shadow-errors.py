@@ -18,7 +18,8 @@ SCENES = [("engine", "fog"), ("engine", "soft"), ("engine", "dense"), ("bonsai",
           ("bonsai", "bone"), ("headsq", "soft"), ("headsq", "bone")]
 FINE = ["shadows.resolution=1", "shadows.nearSteps=4"]
 COARSE = ["shadows.resolution=0.5", "shadows.nearSteps=0"]
-OPTIONS = [("rays", FINE), ("volume", COARSE), ("volume", FINE), ("deep-map", FINE)]
+MEDIUM = ["shadows.resolution=0.75", "shadows.nearSteps=0"]
+OPTIONS = [("rays", FINE), ("volume", COARSE), ("volume", MEDIUM), ("volume", FINE), ("deep-map", FINE)]
 
 
 def run(scene, work, *settings):
@@ -66,13 +67,13 @@ for volume, shape in SCENES:
         lines[shape == "opaque"].append((depth, errors["soft"] + errors["hard"]))
 
 HEADS = {False: """// Made by Data/study/measure-shadow-errors.py. A scene a line: the optical depth over a voxel,
-// then errors of rays, coarse and fine volume and deep map, of a soft shadow and of a hard one.
+// then errors of rays, coarse, medium and fine volume and deep map, of a soft shadow and of a hard one.
 """, True: "// Made by Data/study/measure-shadow-errors.py, see ShadowErrors.inc.\n"}
 for steep, name in ((False, "ShadowErrors.inc"), (True, "SteepShadowErrors.inc")):
     with open(name, "w") as out:
         out.write(HEADS[steep])
-        largest = [0.0] * 8
+        largest = [0.0] * 10
         for depth, errors in sorted(lines[steep]):
             largest = [max(pair) for pair in zip(largest, errors)]
-            soft, hard = (", ".join(f"{error:.2f}" for error in largest[half:half + 4]) for half in (0, 4))
+            soft, hard = (", ".join(f"{error:.2f}" for error in largest[half:half + 5]) for half in (0, 5))
             out.write(f"{{ {depth:.3f}, {{ {soft} }}, {{ {hard} }} }},\n")

@@ -10,7 +10,7 @@ namespace penumbra
 {
 namespace
 {
-constexpr std::size_t NumberOfOptions = 4;
+constexpr std::size_t NumberOfOptions = 5;
 
 // Of the options, in their order.
 using OptionErrors = std::array<double, NumberOfOptions>;
@@ -32,12 +32,22 @@ constexpr MeasuredErrors SteepMatter[] = {
 #include "SteepShadowErrors.inc"
 };
 
-constexpr int NearSteps = 4;
-constexpr double CoarseResolution = 0.5;
+struct OptionSettings
+{
+  ShadowTechnique Technique;
+  double Resolution;
+  int NearSteps;
+};
 
 // In the order of the options.
-constexpr ShadowTechnique Techniques[] = { ShadowTechnique::Rays, ShadowTechnique::Volume,
-  ShadowTechnique::Volume, ShadowTechnique::DeepMap };
+constexpr OptionSettings Settings[NumberOfOptions] = { { ShadowTechnique::Rays, 1.0, 0 },
+  { ShadowTechnique::Volume, 0.5, 0 }, { ShadowTechnique::Volume, 0.75, 0 },
+  { ShadowTechnique::Volume, 1.0, 4 }, { ShadowTechnique::DeepMap, 1.0, 4 } };
+
+const OptionSettings& GetSettings(ShadowOption option)
+{
+  return Settings[static_cast<std::size_t>(option)];
+}
 
 double GetError(const MeasuredErrors& measured, std::size_t option, const ShadowChoiceTask& task)
 {
@@ -83,7 +93,8 @@ double PredictShadowError(ShadowOption option, const ShadowChoiceTask& task)
   const double error = task.SteepOpacity ? Interpolate(SteepMatter, index, task)
                                          : Interpolate(SmoothMatter, index, task);
   // A volume's texels are as far apart as voxels.
-  const double coarseness = Techniques[index] == ShadowTechnique::Volume ? task.SpacingRatio : 1.0;
+  const double coarseness =
+    GetSettings(option).Technique == ShadowTechnique::Volume ? task.SpacingRatio : 1.0;
   // Errors of several lights add up by their squares.
   return coarseness * error * std::sqrt(std::max(task.SoftLights + task.HardLights, 1));
 }
@@ -100,19 +111,18 @@ double PredictShadowCost(ShadowOption option, const ShadowChoiceTask& task)
   const double lights = task.SoftLights + task.HardLights;
   const double samples = lights * task.Pixels * CountLitSamples(task);
   const double ray = marchedPart * task.VoxelsAcross;
-  const double texels = lights * task.Voxels * task.Occupied;
-  switch (option)
+  const OptionSettings& settings = GetSettings(option);
+  if (settings.Technique == ShadowTechnique::Rays)
   {
-    case ShadowOption::CoarseVolume:
-      return samples * volumeLookUp + texels * std::pow(CoarseResolution, 3) * 2.0 * ray / pictures;
-    case ShadowOption::FineVolume:
-      return samples * (volumeLookUp + NearSteps) + texels * 2.0 * ray / pictures;
-    case ShadowOption::DeepMap:
-      return samples * (mapLookUp + NearSteps) +
-        lights * task.VoxelsAcross * task.VoxelsAcross * 4.0 * task.VoxelsAcross / pictures;
-    default:
-      return samples * ray;
+    return samples * ray;
   }
+  if (settings.Technique == ShadowTechnique::DeepMap)
+  {
+    return samples * (mapLookUp + settings.NearSteps) +
+      lights * task.VoxelsAcross * task.VoxelsAcross * 4.0 * task.VoxelsAcross / pictures;
+  }
+  const double texels = lights * task.Voxels * task.Occupied * std::pow(settings.Resolution, 3);
+  return samples * (volumeLookUp + settings.NearSteps) + texels * 2.0 * ray / pictures;
 }
 
 //------------------------------------------------------------------------------
@@ -137,12 +147,13 @@ ShadowChoice ChooseShadowTechnique(const ShadowChoiceTask& task)
     return aWithin ? cost(a) < cost(b) : error(a) < error(b);
   };
   constexpr std::array<ShadowOption, NumberOfOptions> options = { ShadowOption::Rays,
-    ShadowOption::CoarseVolume, ShadowOption::FineVolume, ShadowOption::DeepMap };
+    ShadowOption::CoarseVolume, ShadowOption::MediumVolume, ShadowOption::FineVolume,
+    ShadowOption::DeepMap };
   choice.Option = *std::min_element(options.begin(), options.end(), cheaper);
-  choice.Technique = Techniques[static_cast<std::size_t>(choice.Option)];
-  const bool isCoarse = choice.Option == ShadowOption::CoarseVolume;
-  choice.Resolution = isCoarse ? CoarseResolution : 1.0;
-  choice.NearSteps = isCoarse ? 0 : NearSteps;
+  const OptionSettings& settings = GetSettings(choice.Option);
+  choice.Technique = settings.Technique;
+  choice.Resolution = settings.Resolution;
+  choice.NearSteps = settings.NearSteps;
   choice.PredictedError = error(choice.Option);
   const bool within = choice.PredictedError <= task.Tolerance;
   std::ostringstream reason;

@@ -36,12 +36,13 @@ struct ShadowChoiceTask
   double Tolerance = 1.0; ///< root mean square error in grey levels of 255
 };
 
-/// What there is to choose from: rays; a volume of half the data's resolution; one of its full
-/// resolution, or deep maps, with the first steps marched.
+/// What there is to choose from: rays; volumes of a half and of three quarters of the data's
+/// resolution; one of its full resolution, or deep maps, with the first steps marched.
 enum class ShadowOption
 {
   Rays,
   CoarseVolume,
+  MediumVolume,
   FineVolume,
   DeepMap
 };

@@ -6,7 +6,7 @@ using namespace penumbra;
 namespace
 {
 constexpr ShadowOption Options[] = { ShadowOption::Rays, ShadowOption::CoarseVolume,
-  ShadowOption::FineVolume, ShadowOption::DeepMap };
+  ShadowOption::MediumVolume, ShadowOption::FineVolume, ShadowOption::DeepMap };
 
 // A bone-like volume of 256^3 on 512 x 512 pixels, a tenth of it occupied.
 ShadowChoiceTask MakeTask()
@@ -85,7 +85,7 @@ TEST_CASE(
   "A coarse volume is taken where it will do, with no step marched, and a fine one where not")
 {
   ShadowChoiceTask task = MakeTask();
-  task.VoxelDepth = 0.3;
+  task.VoxelDepth = 0.1;
   const ShadowChoice coarse = ChooseShadowTechnique(task);
   CHECK(coarse.Option == ShadowOption::CoarseVolume);
   CHECK(coarse.Technique == ShadowTechnique::Volume);
