@@ -76,6 +76,12 @@ double Interpolate(
   return (1.0 - part) * GetError(low, option, task) + part * GetError(high, option, task);
 }
 
+// Errors of several lights add up by their squares.
+double GetCountFactor(const ShadowChoiceTask& task)
+{
+  return std::sqrt(std::max(task.SoftLights + task.HardLights, 1));
+}
+
 // Samples of a pixel that are lit before what lies behind them is hidden.
 double CountLitSamples(const ShadowChoiceTask& task)
 {
@@ -92,11 +98,15 @@ double PredictShadowError(ShadowOption option, const ShadowChoiceTask& task)
   const auto index = static_cast<std::size_t>(option);
   const double error = task.SteepOpacity ? Interpolate(SteepMatter, index, task)
                                          : Interpolate(SmoothMatter, index, task);
+  if (option == ShadowOption::Rays)
+  {
+    // Measured at steps of a voxel. Behind a jump in opacity the error falls no faster.
+    return error * task.ShadowStep * GetCountFactor(task);
+  }
   // A volume's texels are as far apart as voxels.
   const double coarseness =
     GetSettings(option).Technique == ShadowTechnique::Volume ? task.SpacingRatio : 1.0;
-  // Errors of several lights add up by their squares.
-  return coarseness * error * std::sqrt(std::max(task.SoftLights + task.HardLights, 1));
+  return coarseness * error * GetCountFactor(task);
 }
 
 //------------------------------------------------------------------------------

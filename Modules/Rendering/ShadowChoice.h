@@ -24,6 +24,8 @@ struct ShadowChoiceTask
   int HardLights = 0;
   /// Optical depth over a voxel of the densest matter of a brick, on average.
   double VoxelDepth = 0.0;
+  /// Of a shadow ray, in smallest spacings.
+  double ShadowStep = 1.0;
   /// Of the largest spacing to the smallest.
   double SpacingRatio = 1.0;
   /// The transfer functions change much within a step.

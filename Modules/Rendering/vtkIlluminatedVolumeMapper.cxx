@@ -321,6 +321,13 @@ double vtkIlluminatedVolumeMapper::GetSampleDistanceOrDefault()
 }
 
 //------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetShadowSampleDistanceOrDefault()
+{
+  return IsStepLength(this->ShadowSampleDistance) ? this->ShadowSampleDistance
+                                                  : 2.0 * this->GetSampleDistanceOrDefault();
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedVolumeMapper::DrawIlluminated(
   vtkRenderer* renderer, vtkVolume* volume, vtkDataArray* scalars)
 {
@@ -665,6 +672,7 @@ ShadowChoice vtkIlluminatedVolumeMapper::ChooseShadows(vtkRenderer* renderer)
   const EmptySpaceReport& matter = textures.GetEmptySpaceReport();
   task.VoxelDepth = matter.MeanExtinction * placement.SmallestSpacing;
   task.Occupied = 1.0 * matter.OccupiedBricks / std::max(matter.Bricks, 1);
+  task.ShadowStep = this->GetShadowSampleDistanceOrDefault() / placement.SmallestSpacing;
   task.SpacingRatio = placement.LargestSpacing / placement.SmallestSpacing;
   task.SteepOpacity = scene.Requirements.PreIntegrated;
   const int* size = renderer->GetSize();
@@ -687,8 +695,7 @@ void vtkIlluminatedVolumeMapper::PlanDraws()
   MarchingTask task;
   task.Diagonal = scene.Placement.GetDiagonal();
   task.SampleDistance = this->GetSampleDistanceOrDefault();
-  task.ShadowSampleDistance = IsStepLength(this->ShadowSampleDistance) ? this->ShadowSampleDistance
-                                                                       : 2.0 * task.SampleDistance;
+  task.ShadowSampleDistance = this->GetShadowSampleDistanceOrDefault();
   if (!scene.ShadowCasters.empty())
   {
     // What is kept is marched once: with half the step, interpolation is all the error there is.

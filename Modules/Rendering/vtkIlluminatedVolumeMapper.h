@@ -329,6 +329,7 @@ protected:
   void DrawIlluminated(vtkRenderer* renderer, vtkVolume* volume, vtkDataArray* scalars);
   void DrawStock(vtkRenderer* renderer, vtkVolume* volume);
   double GetSampleDistanceOrDefault();
+  double GetShadowSampleDistanceOrDefault();
   void MoveTo(vtkOpenGLRenderWindow* window);
   bool PrepareGeometry(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
   void PrepareVisibility(vtkImageData* image);

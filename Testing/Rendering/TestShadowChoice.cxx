@@ -96,3 +96,15 @@ TEST_CASE(
   task.Tolerance = 0.999 * error;
   CHECK(ChooseShadowTechnique(task).Option != ShadowOption::CoarseVolume);
 }
+
+TEST_CASE("Shorter steps make rays better, and nothing that is kept")
+{
+  ShadowChoiceTask task = MakeTask();
+  const double rays = PredictShadowError(ShadowOption::Rays, task);
+  const double map = PredictShadowError(ShadowOption::DeepMap, task);
+  task.ShadowStep = 0.25;
+  CHECK(PredictShadowError(ShadowOption::Rays, task) == Approx(0.25 * rays));
+  CHECK(PredictShadowError(ShadowOption::DeepMap, task) == map);
+  task.SteepOpacity = true;
+  CHECK(ChooseShadowTechnique(task).Technique == ShadowTechnique::Rays);
+}
