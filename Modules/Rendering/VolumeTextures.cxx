@@ -2,7 +2,6 @@
 
 #include "GradientNoise.h"
 #include "MatrixUniforms.h"
-#include "OpenGLEnumerants.h"
 #include "VisibleScalars.h"
 
 #include "vtkColorTransferFunction.h"
@@ -16,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace penumbra
 {
@@ -239,7 +237,7 @@ void VolumeTextures::LoadTable(vtkOpenGLRenderWindow* window)
   Prepare(this->Extinction, window, vtkTextureObject::Linear);
   Prepare(this->Color, window, vtkTextureObject::Linear);
   const int size = this->Table.GetSize();
-  this->LoadColor();
+  this->Color->Create1DFromRaw(size, 3, VTK_FLOAT, this->Table.Color.data());
   if (!this->Table.Steep)
   {
     this->Extinction->Create1DFromRaw(size, 1, VTK_FLOAT, this->Table.Extinction.data());
@@ -254,36 +252,6 @@ void VolumeTextures::LoadTable(vtkOpenGLRenderWindow* window)
   this->Extinction->Create1DFromRaw(size, 2, VTK_FLOAT, extinction.data());
   Prepare(this->ColorIntegral, window, vtkTextureObject::Linear);
   this->ColorIntegral->Create1DFromRaw(size, 4, VTK_FLOAT, this->Table.ColorIntegral.data());
-}
-
-//------------------------------------------------------------------------------
-// 10 bits a channel are within an eighth of a grey level of 255, and software rasterizers fetch
-// them at a third of the cost of floats. Colours brighter than white need floats.
-void VolumeTextures::LoadColor()
-{
-  std::vector<float>& color = this->Table.Color;
-  const bool fits = std::all_of(
-    color.begin(), color.end(), [](float channel) { return channel >= 0.0f && channel <= 1.0f; });
-  if (!fits)
-  {
-    this->Color->Create1DFromRaw(this->Table.GetSize(), 3, VTK_FLOAT, color.data());
-    return;
-  }
-  constexpr float largest = 1023.0f;
-  std::vector<std::uint32_t> packed;
-  for (std::size_t entry = 0; entry < color.size(); entry += 3)
-  {
-    std::uint32_t texel = 0;
-    for (int channel = 2; channel >= 0; --channel)
-    {
-      texel = texel << 10 | static_cast<std::uint32_t>(color[entry + channel] * largest + 0.5f);
-    }
-    packed.push_back(texel);
-  }
-  this->Color->SetInternalFormat(GL_RGB10_A2);
-  this->Color->SetFormat(GL_RGBA);
-  this->Color->SetDataType(GL_UNSIGNED_INT_2_10_10_10_REV);
-  this->Color->Create1DFromRaw(this->Table.GetSize(), 4, VTK_UNSIGNED_INT, packed.data());
 }
 
 //------------------------------------------------------------------------------

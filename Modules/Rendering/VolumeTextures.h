@@ -71,7 +71,6 @@ public:
 
 private:
   void LoadTable(vtkOpenGLRenderWindow* window);
-  void LoadColor();
   void LoadPoints(vtkOpenGLRenderWindow* window);
   void LoadGradientOpacity(
     vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, GradientEstimator estimator);

@@ -1,6 +1,7 @@
 // Optical depth towards a light from its deep shadow map (Lokovic and Veach 2000): a texel holds how dark it
 // grows along its ray, as a piecewise linear function of eight nodes, two of distance and darkness to a
-// slice's texel. Darkness is the root of the optical depth over the largest that is told apart. The functions of the four rays around a point are averaged, weighted by how near they are.
+// slice's texel. Darkness is the root of the optical depth over the largest that is told apart. The
+// functions of the four rays around a point are averaged, weighted by how near they are.
 //
 // Near the sample matter changes faster than texels tell: the first steps towards the light are marched.
 
