@@ -64,6 +64,8 @@
 #include "GlslSegmentColorNone.h"
 #include "GlslSegmentDepth.h"
 #include "GlslSegmentIntegral.h"
+#include "GlslSegmentPieces.h"
+#include "GlslSegmentWhole.h"
 #include "GlslShadingAmbient.h"
 #include "GlslShadingBlack.h"
 #include "GlslShadingEnvironment.h"
@@ -258,6 +260,8 @@ const Snippet PictureSnippets[] = {
   { GlslAccumulationNone, [](const Needs&, bool continued) { return !continued; } },
   { GlslAccumulationPrevious, [](const Needs&, bool continued) { return continued; } },
   { GlslViewRaySteps, Always },
+  { GlslSegmentWhole, [](const Needs& n, bool) { return n.NeedsNormal() && !n.PreIntegrated; } },
+  { GlslSegmentPieces, [](const Needs& n, bool) { return n.NeedsNormal() && n.PreIntegrated; } },
   { GlslMarchSamples, [](const Needs& n, bool) { return !n.NeedsNormal(); } },
   { GlslMarchToMatter, [](const Needs& n, bool) { return n.NeedsNormal(); } },
   { GlslViewRay, Always },

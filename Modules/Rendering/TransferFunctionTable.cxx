@@ -224,16 +224,14 @@ std::vector<double> ClipToData(
   return clipped;
 }
 
-// Extinction, and its products with the colour and with the table coordinate.
-using Weighted = std::array<double, 5>;
+// Extinction, and its products with the colour.
+using Weighted = std::array<double, 4>;
 
-Weighted WeighPoint(
-  const TransferFunctions& functions, double scalar, double coordinate, bool fromBelow)
+Weighted WeighPoint(const TransferFunctions& functions, double scalar, bool fromBelow)
 {
   const auto point = GetPoint(functions, scalar, fromBelow).ColorAndOpacity;
   const double extinction = ComputeExtinction(point[3], functions.UnitDistance);
-  return { extinction, extinction * point[0], extinction * point[1], extinction * point[2],
-    extinction * coordinate };
+  return { extinction, extinction * point[0], extinction * point[1], extinction * point[2] };
 }
 
 Weighted WeighEntry(const TransferFunctionTable& table, double entry)
@@ -249,7 +247,6 @@ Weighted WeighEntry(const TransferFunctionTable& table, double entry)
     weighted[1 + channel] =
       extinction * between(table.Color[3 * low + channel], table.Color[3 * high + channel]);
   }
-  weighted[4] = extinction * (entry + 0.5) / static_cast<double>(table.Extinction.size());
   return weighted;
 }
 
@@ -283,13 +280,9 @@ Weighted IntegrateCell(const TransferFunctions& functions, const TransferFunctio
   for (std::size_t end = 0; end + 1 < ends.size(); ++end)
   {
     const double middle = 0.5 * (ends[end] + ends[end + 1]);
-    const auto weigh = [&](double scalar, bool fromBelow)
-    {
-      return WeighPoint(
-        functions, scalar, ((scalar - table.Low) / scalarsPerCell + 0.5) * length, fromBelow);
-    };
-    const Weighted piece = Simpson(weigh(ends[end], false), weigh(middle, true),
-      weigh(ends[end + 1], true), length * (ends[end + 1] - ends[end]) / scalarsPerCell);
+    const Weighted piece = Simpson(WeighPoint(functions, ends[end], false),
+      WeighPoint(functions, middle, true), WeighPoint(functions, ends[end + 1], true),
+      length * (ends[end + 1] - ends[end]) / scalarsPerCell);
     std::transform(sum.begin(), sum.end(), piece.begin(), sum.begin(), std::plus<>());
   }
   return sum;
@@ -312,7 +305,7 @@ void FillIntegrals(const TransferFunctions& functions, const std::vector<double>
     (table.High - table.Low) / static_cast<double>(table.Extinction.size() - 1);
   Weighted sum{};
   table.ExtinctionIntegral = { 0.0f };
-  table.ColorIntegral.assign(4, 0.0f);
+  table.ColorIntegral.assign(3, 0.0f);
   for (std::size_t cell = 0; cell + 1 < table.Extinction.size(); ++cell)
   {
     const double low = table.Low + static_cast<double>(cell) * scalarsPerCell;

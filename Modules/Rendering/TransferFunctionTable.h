@@ -53,7 +53,7 @@ struct TransferFunctionTable
   /// Integrals from the first entry to this one, over the coordinate u of a texture of the
   /// table, of extinction s and colour C.
   std::vector<float> ExtinctionIntegral; ///< of s
-  std::vector<float> ColorIntegral;      ///< of s C (3) and of s u
+  std::vector<float> ColorIntegral;      ///< of s C, 3 an entry
   /// The functions change so fast that a step's middle does not tell what the step passes. Their
   /// integrals over the table are right even where the table itself is not.
   bool Steep = false;

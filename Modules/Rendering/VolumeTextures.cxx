@@ -251,7 +251,7 @@ void VolumeTextures::LoadTable(vtkOpenGLRenderWindow* window)
   }
   this->Extinction->Create1DFromRaw(size, 2, VTK_FLOAT, extinction.data());
   Prepare(this->ColorIntegral, window, vtkTextureObject::Linear);
-  this->ColorIntegral->Create1DFromRaw(size, 4, VTK_FLOAT, this->Table.ColorIntegral.data());
+  this->ColorIntegral->Create1DFromRaw(size, 3, VTK_FLOAT, this->Table.ColorIntegral.data());
 }
 
 //------------------------------------------------------------------------------

@@ -28,13 +28,11 @@ TEST_CASE("Integrals over a constant function are its value times what they are 
   const double length = static_cast<double>(last) * cell;
   const double extinction = table.Extinction[0];
   CHECK(table.ExtinctionIntegral.size() == table.Extinction.size());
-  CHECK(table.ColorIntegral.size() == 4 * table.Extinction.size());
+  CHECK(table.ColorIntegral.size() == 3 * table.Extinction.size());
   CHECK(table.ExtinctionIntegral[0] == 0.0f);
   CHECK(table.ExtinctionIntegral[last] == Approx(extinction * length));
-  // The integral of s u is s times half the difference of squares of the ends' coordinates.
-  const double from = 0.5 * cell;
-  const double to = from + length;
-  CHECK(table.ColorIntegral[4 * last + 3] == Approx(extinction * 0.5 * (to * to - from * from)));
+  // From black to white, colours are gray on average.
+  CHECK(table.ColorIntegral[3 * last] == Approx(extinction * 0.5 * length));
 }
 
 TEST_CASE("Integrals of colour are weighted by the extinction")
@@ -51,7 +49,7 @@ TEST_CASE("Integrals of colour are weighted by the extinction")
         table.Extinction[entry + 1] * table.Color[3 * entry + 4]);
   }
   // The trapezoid rule is off by the product of the differences over a cell.
-  CHECK(table.ColorIntegral[4 * last + 1] * static_cast<double>(table.Extinction.size()) ==
+  CHECK(table.ColorIntegral[3 * last + 1] * static_cast<double>(table.Extinction.size()) ==
     Approx(sum).epsilon(1e-5));
 }
 

@@ -22,7 +22,7 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
       vec3 position = stepMiddle(ray, index);
       SegmentMatter matter;
       float depth = segmentDepth(rayEnd, position, ray.direction, stepLength, matter);
-      vec3 color = segmentColor(matter, position, ray.direction * stepLength);
+      vec3 color = segmentColor(matter);
       accumulated += compositingWeight(accumulated, depth) *
         vec4(shadedColor(position, color, ray.view), CompositedAlpha);
     }

@@ -23,11 +23,12 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
       index += leap;
       rayEnd = rayEndAfterLeap(rayEnd, leap, ray.entry + float(index) * segment);
     }
-    float weight = compositingWeight(accumulated, depth);
-    if (weight > 0.0)
+    if (depth > 0.0)
     {
-      vec3 color = segmentColor(matter, position, ray.direction * stepLength);
-      accumulated += weight * vec4(shadedColor(position, color, ray.view), CompositedAlpha);
+      SeenSegment seen =
+        seenSegment(accumulated, matter, depth, position, ray.direction * stepLength);
+      vec3 color = shadedColor(seen.position, seen.color, ray.view);
+      accumulated += seen.weight * vec4(color, CompositedAlpha);
     }
   }
   return accumulated;

@@ -12,13 +12,17 @@ struct RayEnd
   float integral; // over table coordinates
 };
 
-RayEnd rayEndAt(vec3 position)
+RayEnd rayEndOf(float coordinate)
 {
-  float coordinate =
-    texture(scene_scalars, position).r * scene_tableCoordinate.x + scene_tableCoordinate.y;
   vec2 entry = texture(scene_extinction, coordinate).rg;
   float beyond = coordinate - clamp(coordinate, scene_tableEnds.x, scene_tableEnds.y);
   return RayEnd(coordinate, entry.r, entry.g + entry.r * beyond);
+}
+
+RayEnd rayEndAt(vec3 position)
+{
+  return rayEndOf(
+    texture(scene_scalars, position).r * scene_tableCoordinate.x + scene_tableCoordinate.y);
 }
 
 RayEnd rayEndAfterLeap(RayEnd before, int leap, vec3 position)

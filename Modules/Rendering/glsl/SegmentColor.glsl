@@ -1,6 +1,6 @@
 // Colour of a step's sample.
 
-vec3 segmentColor(SegmentMatter matter, inout vec3 position, vec3 segment)
+vec3 segmentColor(SegmentMatter matter)
 {
   return colorOf(matter.scalar);
 }

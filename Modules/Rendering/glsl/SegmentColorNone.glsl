@@ -1,4 +1,4 @@
-vec3 segmentColor(SegmentMatter matter, inout vec3 position, vec3 segment)
+vec3 segmentColor(SegmentMatter matter)
 {
   return vec3(0.0);
 }

@@ -1,6 +1,6 @@
 // Optical depth of one step of a ray along which the scalar changes evenly: the mean extinction over all
 // scalars between its ends, which no transfer function is too steep for (pre-integrated classification,
-// Engel, Kraus and Ertl 2001, by integrals over one scalar; what a step shadows of itself counts in its
+// Engel, Kraus and Ertl 2001, by integrals over one scalar; what a step hides of itself counts in its
 // depth, not in its colour).
 
 uniform float scene_integralRounding; // differences of the integral below it are rounding
@@ -9,6 +9,7 @@ struct SegmentMatter
 {
   RayEnd from;
   RayEnd to;
+  float length; // times the gradient opacity
 };
 
 // Where the integral tells no more than rounding, the extinction is taken to change evenly too.
@@ -27,6 +28,7 @@ float segmentDepth(
   matter.from = end;
   end = rayEndAt(position + 0.5 * stepLength * direction);
   matter.to = end;
+  matter.length = gradientOpacityAt(position) * stepLength;
   bool steep;
-  return meanExtinction(matter, steep) * gradientOpacityAt(position) * stepLength;
+  return meanExtinction(matter, steep) * matter.length;
 }

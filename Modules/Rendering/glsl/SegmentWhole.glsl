@@ -1,0 +1,14 @@
+// What is seen of a step that is one sample.
+
+struct SeenSegment
+{
+  vec3 position;
+  vec3 color;
+  float weight;
+};
+
+SeenSegment seenSegment(
+  vec4 accumulated, SegmentMatter matter, float depth, vec3 position, vec3 segment)
+{
+  return SeenSegment(position, segmentColor(matter), compositingWeight(accumulated, depth));
+}
