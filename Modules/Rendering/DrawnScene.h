@@ -34,7 +34,9 @@ struct DrawnScene
   std::vector<std::array<double, 4>> ClippingPlanes; ///< in texture coordinates
   Vector3 CroppingLow{};                             ///< in texture coordinates
   Vector3 CroppingHigh{};
-  int CroppingFlags = 0; ///< vtkVolumeMapper's region flags
+  CroppingKind Cropping = CroppingKind::None;
+  int CroppingFlags = 0;       ///< vtkVolumeMapper's region flags
+  bool AnythingVisible = true; ///< false where cropping hides the whole volume
   double UnitDistance = 1.0;
   MarchingPlan Plan;
   std::vector<ShadowCaster> ShadowCasters; ///< whose shadows are looked up

@@ -7,6 +7,7 @@
 #define ShadowPreparation_h
 
 #include "DrawnScene.h"
+#include "ShadowSettings.h"
 
 #include <string>
 #include <vector>
@@ -17,15 +18,6 @@ namespace penumbra
 {
 
 class VolumeDrawing;
-
-/// What vtkIlluminatedVolumeMapper is told of shadows.
-struct ShadowSettings
-{
-  ShadowTechnique Technique = ShadowTechnique::Rays;
-  double Resolution = 1.0;
-  int NearSteps = 0;
-  int MemoryLimit = 0; ///< in MiB
-};
 
 /// Chooses what is kept of the scene's shadows and makes room for it, and tells the requirements.
 /// The messages say what could not be as asked.

@@ -51,6 +51,17 @@ std::array<ShadowCache*, 2> VolumeDrawing::GetCaches()
 }
 
 //------------------------------------------------------------------------------
+ShadowReport VolumeDrawing::GetShadowReport() const
+{
+  const ShadowCache& volume = this->VolumeOfShadows;
+  const ShadowCache& maps = this->MapsOfShadows;
+  // One of them at most is in use.
+  const ShadowCache& used = volume.GetBytes() > 0 ? volume : maps;
+  return { volume.GetBytes() + maps.GetBytes(),
+    volume.GetNumberOfUpdates() + maps.GetNumberOfUpdates(), used.GetUpdateSeconds() };
+}
+
+//------------------------------------------------------------------------------
 bool VolumeDrawing::UpdateShadows()
 {
   const auto caches = this->GetCaches();

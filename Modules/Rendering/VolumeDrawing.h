@@ -25,6 +25,14 @@ class vtkShaderProgram;
 namespace penumbra
 {
 
+/// What keeping shadows costs.
+struct ShadowReport
+{
+  std::size_t Bytes = 0;
+  int Updates = 0;            ///< lights that were computed since the drawing was made
+  double UpdateSeconds = 0.0; ///< of the last computation
+};
+
 class VolumeDrawing
 {
 public:
@@ -45,8 +53,7 @@ public:
   const VolumeTextures& GetTextures() const { return this->Textures; }
   ShadowVolume& GetVolumeOfShadows() { return this->VolumeOfShadows; }
   ShadowMaps& GetMapsOfShadows() { return this->MapsOfShadows; }
-  const ShadowVolume& GetVolumeOfShadows() const { return this->VolumeOfShadows; }
-  const ShadowMaps& GetMapsOfShadows() const { return this->MapsOfShadows; }
+  ShadowReport GetShadowReport() const;
   EnvironmentTextures& GetEnvironment() { return this->Environment; }
   const vtkIlluminationPass* GetPass() const { return this->Pass; }
 

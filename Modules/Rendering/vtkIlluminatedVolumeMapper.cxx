@@ -1,71 +1,47 @@
 #include "vtkIlluminatedVolumeMapper.h"
 
 #include "DrawnScene.h"
-#include "GradientNoise.h"
 #include "InteractiveResolution.h"
-#include "ShadowChoice.h"
-#include "ShadowPreparation.h"
+#include "PicturePreparation.h"
+#include "PictureRequest.h"
+#include "ShadowSettings.h"
+#include "StepPreparation.h"
+#include "StockLights.h"
 #include "TakenOver.h"
 #include "VolumeDrawing.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPlaneCollection.h"
-#include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
-#include "vtkVolumeMaterial.h"
-#include "vtkVolumeProperty.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 using namespace penumbra;
-
-namespace
-{
-// The camera's whole projection; VTK keeps its matrices transposed for OpenGL.
-Matrix4 GetWorldToClip(vtkRenderer* renderer, vtkOpenGLCamera* camera)
-{
-  vtkMatrix4x4* worldToView;
-  vtkMatrix3x3* normals;
-  vtkMatrix4x4* viewToClip;
-  vtkMatrix4x4* worldToClip;
-  camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
-  Matrix4 matrix;
-  vtkMatrix4x4::Transpose(worldToClip->GetData(), matrix.data());
-  return matrix;
-}
-
-//------------------------------------------------------------------------------
-bool IsStepLength(double length)
-{
-  constexpr double longest = 1e30;
-  return length > 0.0 && length < longest;
-}
-}
 
 //------------------------------------------------------------------------------
 class vtkIlluminatedVolumeMapper::Internals
 {
 public:
+  const EmptySpaceReport& GetEmptySpace() const
+  {
+    return this->Drawing.GetTextures().GetEmptySpaceReport();
+  }
+  const GradientTextureReport& GetGradients() const
+  {
+    return this->Drawing.GetTextures().GetGradientReport();
+  }
+
   DrawnScene Scene;
+  ShadowSettings Shadows;
   VolumeDrawing Drawing;
   InteractiveResolution Resolution;
   double ImageSampleDistance = 1.0; ///< of the last frame
-  bool AnythingVisible = true;
-  std::string ShadowReason;
-  int ShadowNearSteps = 0; ///< of the last frame
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::vector<std::string> Messages;
   std::set<std::string> MessagesGiven;
@@ -111,20 +87,19 @@ double vtkIlluminatedVolumeMapper::GetActualImageSampleDistance() const
 //------------------------------------------------------------------------------
 int vtkIlluminatedVolumeMapper::GetActualShadowNearSteps() const
 {
-  return this->Internal->ShadowNearSteps;
+  return this->Internal->Shadows.NearSteps;
 }
 
 //------------------------------------------------------------------------------
 const std::string& vtkIlluminatedVolumeMapper::GetShadowTechniqueReason() const
 {
-  return this->Internal->ShadowReason;
+  return this->Internal->Shadows.Reason;
 }
 
 //------------------------------------------------------------------------------
 std::size_t vtkIlluminatedVolumeMapper::GetShadowBytes() const
 {
-  const VolumeDrawing& drawing = this->Internal->Drawing;
-  return drawing.GetVolumeOfShadows().GetBytes() + drawing.GetMapsOfShadows().GetBytes();
+  return this->Internal->Drawing.GetShadowReport().Bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -137,18 +112,13 @@ double vtkIlluminatedVolumeMapper::GetActualShadowResolution() const
 //------------------------------------------------------------------------------
 int vtkIlluminatedVolumeMapper::GetNumberOfShadowUpdates() const
 {
-  const VolumeDrawing& drawing = this->Internal->Drawing;
-  return drawing.GetVolumeOfShadows().GetNumberOfUpdates() +
-    drawing.GetMapsOfShadows().GetNumberOfUpdates();
+  return this->Internal->Drawing.GetShadowReport().Updates;
 }
 
 //------------------------------------------------------------------------------
 double vtkIlluminatedVolumeMapper::GetShadowUpdateSeconds() const
 {
-  const VolumeDrawing& drawing = this->Internal->Drawing;
-  return drawing.GetVolumeOfShadows().GetBytes() > 0
-    ? drawing.GetVolumeOfShadows().GetUpdateSeconds()
-    : drawing.GetMapsOfShadows().GetUpdateSeconds();
+  return this->Internal->Drawing.GetShadowReport().UpdateSeconds;
 }
 
 //------------------------------------------------------------------------------
@@ -177,48 +147,43 @@ void vtkIlluminatedVolumeMapper::SetGradientTextureBits(int bits)
 //------------------------------------------------------------------------------
 std::size_t vtkIlluminatedVolumeMapper::GetGradientTextureBytes() const
 {
-  return this->Internal->Drawing.GetTextures().GetGradientReport().Bytes;
+  return this->Internal->GetGradients().Bytes;
 }
 
 //------------------------------------------------------------------------------
 double vtkIlluminatedVolumeMapper::GetGradientTextureLargestError() const
 {
-  return this->Internal->Drawing.GetTextures().GetGradientReport().LargestError;
+  return this->Internal->GetGradients().LargestError;
 }
 
 //------------------------------------------------------------------------------
 double vtkIlluminatedVolumeMapper::GetGradientTextureAngularError() const
 {
-  return this->Internal->Drawing.GetTextures().GetGradientReport().MeanAngularError;
+  return this->Internal->GetGradients().MeanAngularError;
 }
 
 //------------------------------------------------------------------------------
 int vtkIlluminatedVolumeMapper::GetNumberOfBricks() const
 {
-  return this->SkipEmptySpace ? this->Internal->Drawing.GetTextures().GetEmptySpaceReport().Bricks
-                              : 0;
+  return this->SkipEmptySpace ? this->Internal->GetEmptySpace().Bricks : 0;
 }
 
 //------------------------------------------------------------------------------
 int vtkIlluminatedVolumeMapper::GetNumberOfOccupiedBricks() const
 {
-  return this->SkipEmptySpace
-    ? this->Internal->Drawing.GetTextures().GetEmptySpaceReport().OccupiedBricks
-    : 0;
+  return this->SkipEmptySpace ? this->Internal->GetEmptySpace().OccupiedBricks : 0;
 }
 
 //------------------------------------------------------------------------------
 int vtkIlluminatedVolumeMapper::GetBrickEdge() const
 {
-  return this->SkipEmptySpace
-    ? this->Internal->Drawing.GetTextures().GetEmptySpaceReport().BrickEdge
-    : 0;
+  return this->SkipEmptySpace ? this->Internal->GetEmptySpace().BrickEdge : 0;
 }
 
 //------------------------------------------------------------------------------
 double vtkIlluminatedVolumeMapper::GetMeanVoxelDepth() const
 {
-  return this->Internal->Drawing.GetTextures().GetEmptySpaceReport().MeanExtinction *
+  return this->Internal->GetEmptySpace().MeanExtinction *
     this->Internal->Scene.Placement.SmallestSpacing;
 }
 
@@ -269,89 +234,50 @@ void vtkIlluminatedVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* vol
 }
 
 //------------------------------------------------------------------------------
-// The stock ray caster does not end on a sample distance of 0, and VTK 9.1 keeps lights in arrays
-// of six whose bound it does not check.
+// The stock ray caster does not end on a sample distance of 0 and, adjusting, takes another one
+// than is asked.
 void vtkIlluminatedVolumeMapper::DrawStock(vtkRenderer* renderer, vtkVolume* volume)
 {
-  constexpr int largestNumberOfLights = 6;
-  std::vector<vtkLight*> switchedOff;
-  int lightsOn = 0;
-  vtkCollectionSimpleIterator cursor;
-  renderer->GetLights()->InitTraversal(cursor);
-  while (vtkLight* light = renderer->GetLights()->GetNextLight(cursor))
-  {
-    if (light->GetSwitch() && ++lightsOn > largestNumberOfLights)
-    {
-      light->SwitchOff();
-      switchedOff.push_back(light);
-    }
-  }
-  if (!switchedOff.empty())
+  const StockLights lights(renderer->GetLights());
+  if (lights.AreSomeLeftOut())
   {
     this->Say("The stock ray caster takes six lights; the others are left out.");
   }
-  // Adjusting, the stock ray caster takes another sample distance than the one that is asked.
   const auto askedToAdjust = this->AutoAdjustSampleDistances;
   this->AutoAdjustSampleDistances = 0;
   const float askedSampleDistance = this->SampleDistance;
-  this->SampleDistance = static_cast<float>(this->GetSampleDistanceOrDefault());
+  this->SampleDistance = static_cast<float>(GetSampleDistances(this).View);
   this->Superclass::GPURender(renderer, volume);
   this->SampleDistance = askedSampleDistance;
   this->AutoAdjustSampleDistances = askedToAdjust;
-  for (vtkLight* light : switchedOff)
-  {
-    light->SwitchOn();
-  }
-}
-
-//------------------------------------------------------------------------------
-double vtkIlluminatedVolumeMapper::GetSampleDistanceOrDefault()
-{
-  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
-  if (IsStepLength(this->SampleDistance))
-  {
-    return this->SampleDistance;
-  }
-  if (!image)
-  {
-    return 1.0;
-  }
-  const double* spacing = image->GetSpacing();
-  return 0.5 * std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
-}
-
-//------------------------------------------------------------------------------
-double vtkIlluminatedVolumeMapper::GetShadowSampleDistanceOrDefault()
-{
-  return IsStepLength(this->ShadowSampleDistance) ? this->ShadowSampleDistance
-                                                  : 2.0 * this->GetSampleDistanceOrDefault();
 }
 
 //------------------------------------------------------------------------------
 void vtkIlluminatedVolumeMapper::DrawIlluminated(
   vtkRenderer* renderer, vtkVolume* volume, vtkDataArray* scalars)
 {
-  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
-  vtkOpenGLRenderWindow* window = this->Internal->Window;
-  window->MakeCurrent();
-  if (!this->PrepareGeometry(renderer, volume, image) ||
-    !this->PrepareTextures(window, volume->GetProperty(), image, scalars))
-  {
-    return;
-  }
-  this->PrepareLights(renderer, volume->GetProperty());
-  this->PrepareMaterial(window, volume->GetProperty());
-  const ShadowSettings shadows = this->GetShadowSettings(renderer);
-  for (const std::string& message :
-    penumbra::PrepareShadows(shadows, window, this->Internal->Scene, this->Internal->Drawing))
+  Internals& internal = *this->Internal;
+  internal.Window->MakeCurrent();
+  PictureRequest request;
+  request.Mapper = this;
+  request.Renderer = renderer;
+  request.Window = internal.Window;
+  request.Volume = volume;
+  request.Property = volume->GetProperty();
+  request.Image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  request.Scalars = scalars;
+  std::vector<std::string> messages;
+  const std::string fault =
+    PreparePicture(request, internal.Scene, internal.Shadows, internal.Drawing, messages);
+  for (const std::string& message : messages)
   {
     this->Say(message);
   }
-  this->PlanDraws();
-  LookUpShadows(shadows, this->Internal->Scene);
-  this->Internal->Scene.Matter = DescribeShadowingMatter(
-    this->Internal->Scene, this->Internal->Drawing.GetTextures(), volume->GetProperty());
-  if (this->Internal->AnythingVisible)
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault);
+  }
+  else if (internal.Scene.AnythingVisible)
   {
     this->DrawInTime(renderer, volume->GetAllocatedRenderTime());
   }
@@ -392,329 +318,6 @@ void vtkIlluminatedVolumeMapper::MoveTo(vtkOpenGLRenderWindow* window)
     this->ReleaseGraphicsResources(before);
   }
   this->Internal->Window = window;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIlluminatedVolumeMapper::PrepareGeometry(
-  vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image)
-{
-  DrawnScene& scene = this->Internal->Scene;
-  if (!ComputeVolumePlacement(image, volume->GetMatrix(), scene.Placement))
-  {
-    vtkErrorMacro("The volume's spacing, direction or matrix has no inverse; it is not drawn.");
-    return false;
-  }
-  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
-  Vector3 eye;
-  camera->GetPosition(eye.data());
-  if (!ComputeViewRays(scene.Placement, GetWorldToClip(renderer, camera), eye, scene.Rays))
-  {
-    vtkErrorMacro("The camera's projection has no inverse; the volume is not drawn.");
-    return false;
-  }
-  this->PrepareVisibility(image);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIlluminatedVolumeMapper::PrepareVisibility(vtkImageData* image)
-{
-  DrawnScene& scene = this->Internal->Scene;
-  scene.ClippingPlanes.clear();
-  const int planes = this->ClippingPlanes ? this->ClippingPlanes->GetNumberOfItems() : 0;
-  for (int plane = 0; plane < planes; ++plane)
-  {
-    scene.ClippingPlanes.push_back(scene.Placement.GetPlane(this->ClippingPlanes->GetItem(plane)));
-  }
-  scene.CroppingFlags = this->Cropping ? this->CroppingRegionFlags : 0;
-  this->Internal->AnythingVisible = true;
-  if (this->Cropping)
-  {
-    ComputeCroppingPlanes(image, this->CroppingRegionPlanes, scene.CroppingLow, scene.CroppingHigh);
-  }
-  if (scene.CroppingFlags == VTK_CROP_SUBVOLUME)
-  {
-    this->Internal->AnythingVisible =
-      scene.Placement.CropBox(scene.CroppingLow, scene.CroppingHigh);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkIlluminatedVolumeMapper::PrepareTextures(vtkOpenGLRenderWindow* window,
-  vtkVolumeProperty* property, vtkImageData* image, vtkDataArray* scalars)
-{
-  VolumeTextures& textures = this->Internal->Drawing.GetTextures();
-  if (!textures.UpdateScalars(window, image, scalars))
-  {
-    const auto& dimensions = this->Internal->Scene.Placement.Dimensions;
-    vtkErrorMacro("The graphics card cannot hold a volume of "
-      << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2] << " voxels.");
-    return false;
-  }
-  textures.SetInterpolation(property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION);
-  if (textures.HasNonFiniteScalars())
-  {
-    this->Say(
-      "Voxels that are NaN or -Inf count as the smallest finite value of the volume, +Inf as "
-      "the largest.");
-  }
-  vtkImageData* mask = this->GetUsableMask(image);
-  if (!textures.UpdateMask(window, mask))
-  {
-    vtkErrorMacro("The graphics card cannot hold the mask.");
-    return false;
-  }
-  textures.UpdateTransferFunctions(
-    window, property, static_cast<penumbra::GradientEstimator>(this->GradientEstimator));
-  if (!textures.AreTransferFunctionsAccurate())
-  {
-    this->Say("The transfer functions change faster than the largest table can follow.");
-  }
-  this->Internal->Scene.UnitDistance = property->GetScalarOpacityUnitDistance(0);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-vtkImageData* vtkIlluminatedVolumeMapper::GetUsableMask(vtkImageData* image)
-{
-  vtkImageData* mask = this->MaskInput;
-  if (!mask)
-  {
-    return nullptr;
-  }
-  const int* maskDimensions = mask->GetDimensions();
-  if (!mask->GetPointData()->GetScalars() ||
-    !std::equal(maskDimensions, maskDimensions + 3, image->GetDimensions()))
-  {
-    this->Say("The mask is left out: it needs scalars and the volume's dimensions.");
-    return nullptr;
-  }
-  return mask;
-}
-
-//------------------------------------------------------------------------------
-void vtkIlluminatedVolumeMapper::PrepareLights(vtkRenderer* renderer, vtkVolumeProperty* property)
-{
-  DrawnScene& scene = this->Internal->Scene;
-  LightedScene lighted;
-  lighted.Property = property;
-  vtkNew<vtkLightCollection> lights;
-  const int largestNumber = LightUniforms::GetLargestNumber(this->Internal->Window);
-  const int left = CollectLights(renderer->GetLights(), property, largestNumber, lights);
-  lighted.Lights = lights;
-  lighted.TwoSidedLighting = renderer->GetTwoSidedLighting() != 0;
-  lighted.ClippingPlanes = static_cast<int>(scene.ClippingPlanes.size());
-  if (this->Cropping)
-  {
-    lighted.Cropping =
-      scene.CroppingFlags == VTK_CROP_SUBVOLUME ? CroppingKind::Box : CroppingKind::Regions;
-  }
-  lighted.Mask = this->Internal->Drawing.GetTextures().HasMask();
-  lighted.Opacity = this->Internal->Drawing.GetTextures().GetLookup();
-  lighted.SteepOpacity = this->Internal->Drawing.GetTextures().AreTransferFunctionsSteep();
-  lighted.LinearInterpolation = property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
-  if (this->OpticalModel != ByShade)
-  {
-    lighted.Optics = static_cast<penumbra::OpticalModel>(this->OpticalModel - Absorption);
-  }
-  lighted.Gradient = static_cast<penumbra::GradientEstimator>(this->GradientEstimator);
-  lighted.EnvironmentMap = this->PrepareEnvironment(this->Internal->Window, property);
-  lighted.GradientTexture = this->GradientTextureBits > 0;
-  lighted.EmptySpace = this->PrepareEmptySpace();
-  scene.Requirements = ComputeLightingRequirements(lighted);
-  if (left > 0 && scene.Requirements.IsShaded())
-  {
-    this->Say("The graphics card's shaders hold " + std::to_string(largestNumber) +
-      " lights; the last " + std::to_string(left) + " give ambient light only.");
-  }
-
-  Vector3 cameraDirection;
-  renderer->GetActiveCamera()->GetDirectionOfProjection(cameraDirection.data());
-  scene.Lights = MakeLightUniforms(lights, property, scene.Placement, Normalized(cameraDirection));
-  scene.Lights.SetAmbient(ComputeAmbientLight(renderer->GetLights()), property->GetAmbient(0));
-}
-
-//------------------------------------------------------------------------------
-void vtkIlluminatedVolumeMapper::PrepareMaterial(
-  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
-{
-  DrawnScene& scene = this->Internal->Scene;
-  scene.Material = MakeMaterialUniforms(property, scene.Placement);
-  this->PrepareGradients(window);
-  if (scene.Requirements.NoiseFading)
-  {
-    this->PrepareNoiseFading(property);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkIlluminatedVolumeMapper::PrepareEnvironment(
-  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property)
-{
-  const bool shaded = this->OpticalModel == SingleScattering ||
-    (this->OpticalModel == ByShade && property->GetShade(0));
-  if (!shaded || GetReflectionModel(property) != ReflectionModel::ReflectionMap)
-  {
-    return false;
-  }
-  std::string reason;
-  const bool usable = this->Internal->Drawing.GetEnvironment().Update(
-    window, vtkVolumeMaterial::SafeDownCast(property), reason);
-  if (!usable)
-  {
-    this->Say("No environment map is reflected: " + reason + ".");
-  }
-  return usable;
-}
-
-//------------------------------------------------------------------------------
-void vtkIlluminatedVolumeMapper::PrepareGradients(vtkOpenGLRenderWindow* window)
-{
-  LightingRequirements& needs = this->Internal->Scene.Requirements;
-  const int bits = needs.GradientTexture ? this->GradientTextureBits : 0;
-  if (!this->Internal->Drawing.GetTextures().UpdateGradients(window, needs.Gradient, bits))
-  {
-    needs.GradientTexture = false;
-    this->Say("The graphics card cannot hold the gradients; they are estimated at each sample.");
-  }
-}
-
-//------------------------------------------------------------------------------
-// Whether there is enough of it to leap over.
-bool vtkIlluminatedVolumeMapper::PrepareEmptySpace()
-{
-  VolumeTextures& textures = this->Internal->Drawing.GetTextures();
-  if (!this->SkipEmptySpace && this->ShadowTechnique != Auto)
-  {
-    textures.DropEmptySpace(this->Internal->Window);
-    return false;
-  }
-  const DrawnScene& scene = this->Internal->Scene;
-  CroppedRegions regions;
-  regions.On = this->Cropping && scene.CroppingFlags != VTK_CROP_SUBVOLUME;
-  if (regions.On)
-  {
-    regions.Flags = scene.CroppingFlags;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double voxels = scene.Placement.Dimensions[axis];
-      regions.Low[axis] = scene.CroppingLow[axis] * voxels - 0.5;
-      regions.High[axis] = scene.CroppingHigh[axis] * voxels - 0.5;
-    }
-  }
-  return textures.UpdateEmptySpace(this->Internal->Window, regions) && this->SkipEmptySpace;
-}
-
-//------------------------------------------------------------------------------
-// Differences per voxel have the noise of their estimator along each axis, and so the gradient, a
-// linear map of them, has that times the map's Frobenius norm.
-void vtkIlluminatedVolumeMapper::PrepareNoiseFading(vtkVolumeProperty* property)
-{
-  DrawnScene& scene = this->Internal->Scene;
-  VolumeTextures& textures = this->Internal->Drawing.GetTextures();
-  Matrix3 map = scene.Placement.GetGradientToMagnitude();
-  double squares = 0.0;
-  for (const double element : map)
-  {
-    squares += element * element;
-  }
-  const double fading = vtkVolumeMaterial::SafeDownCast(property)->GetNoiseFading();
-  const double noise = GradientNoise(textures.GetNoise(), scene.Requirements.Gradient);
-  constexpr double largest = 1e30;
-  const double factor =
-    std::min(textures.GetScalarUnit() / (fading * noise * std::sqrt(squares)), largest);
-  for (double& element : map)
-  {
-    element *= factor;
-  }
-  scene.Material.GradientToNoise = map;
-  scene.Material.FadedReflection = scene.Requirements.TwoSidedLighting ? 0.5 : 0.25;
-}
-
-//------------------------------------------------------------------------------
-ShadowSettings vtkIlluminatedVolumeMapper::GetShadowSettings(vtkRenderer* renderer)
-{
-  ShadowSettings settings;
-  settings.Resolution = this->ShadowResolution;
-  settings.NearSteps = this->ShadowNearSteps;
-  this->Internal->ShadowReason = "as asked";
-  if (!this->Internal->AnythingVisible)
-  {
-    this->Internal->ShadowReason = "nothing is visible";
-  }
-  else if (this->ShadowTechnique == Auto)
-  {
-    const ShadowChoice choice = this->ChooseShadows(renderer);
-    settings.Technique = choice.Technique;
-    settings.Resolution *= choice.Resolution;
-    settings.NearSteps = choice.NearSteps;
-    this->Internal->ShadowReason = choice.Reason;
-  }
-  else
-  {
-    settings.Technique = static_cast<penumbra::ShadowTechnique>(this->ShadowTechnique - Rays);
-  }
-  settings.MemoryLimit = this->ShadowMemoryLimit;
-  this->Internal->ShadowNearSteps = settings.NearSteps;
-  return settings;
-}
-
-//------------------------------------------------------------------------------
-ShadowChoice vtkIlluminatedVolumeMapper::ChooseShadows(vtkRenderer* renderer)
-{
-  const DrawnScene& scene = this->Internal->Scene;
-  const VolumePlacement& placement = scene.Placement;
-  const VolumeTextures& textures = this->Internal->Drawing.GetTextures();
-  ShadowChoiceTask task;
-  task.SoftLights = scene.Requirements.GetNumberOfLights(ShadowKind::Soft);
-  task.HardLights = scene.Requirements.GetNumberOfLights(ShadowKind::Hard);
-  // Whether rays leap over it or not: that must not change the choice.
-  const EmptySpaceReport& matter = textures.GetEmptySpaceReport();
-  task.VoxelDepth = matter.MeanExtinction * placement.SmallestSpacing;
-  task.Occupied = 1.0 * matter.OccupiedBricks / std::max(matter.Bricks, 1);
-  task.ShadowStep = this->GetShadowSampleDistanceOrDefault() / placement.SmallestSpacing;
-  task.SpacingRatio = placement.LargestSpacing / placement.SmallestSpacing;
-  task.SteepOpacity = scene.Requirements.PreIntegrated;
-  const int* size = renderer->GetSize();
-  task.Pixels = 1.0 * size[0] * size[1];
-  task.VoxelsAcross = placement.GetDiagonal() / placement.SmallestSpacing;
-  task.Voxels = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    task.Voxels *=
-      1.0 + (placement.BoxHigh[axis] - placement.BoxLow[axis]) * placement.Dimensions[axis];
-  }
-  task.Tolerance = this->ShadowTolerance;
-  return ChooseShadowTechnique(task);
-}
-
-//------------------------------------------------------------------------------
-void vtkIlluminatedVolumeMapper::PlanDraws()
-{
-  DrawnScene& scene = this->Internal->Scene;
-  MarchingTask task;
-  task.Diagonal = scene.Placement.GetDiagonal();
-  task.SampleDistance = this->GetSampleDistanceOrDefault();
-  task.ShadowSampleDistance = this->GetShadowSampleDistanceOrDefault();
-  if (!scene.ShadowCasters.empty())
-  {
-    // What is kept is marched once: with half the step, interpolation is all the error there is.
-    task.ShadowSampleDistance *= 0.5;
-  }
-  task.Lights = scene.Requirements.GetNumberOfLights();
-  task.LookedUpShadows = static_cast<int>(scene.ShadowCasters.size());
-  task.ShadowMaps = scene.MapsOfShadows.Lights > 0;
-  task.ShadowNearSteps = this->Internal->ShadowNearSteps;
-  task.ShadowedLights = scene.Requirements.GetNumberOfShadowedLights() - task.LookedUpShadows;
-  task.LookupIterations = scene.Requirements.Opacity == TransferFunctionLookup::Points
-    ? this->Internal->Drawing.GetTextures().GetLookupIterations()
-    : 0;
-  task.ClippingPlanes = scene.Requirements.ClippingPlanes;
-  scene.Plan = PlanMarching(task);
-  if (scene.Plan.Coarsened)
-  {
-    this->Say("Steps are longer than asked: rays would have more of them than can be drawn.");
-  }
 }
 
 //------------------------------------------------------------------------------

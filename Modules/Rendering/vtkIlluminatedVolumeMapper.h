@@ -48,15 +48,7 @@
 #include <vector>  // For std::vector
 
 class vtkDataArray;
-class vtkImageData;
 class vtkOpenGLRenderWindow;
-class vtkVolumeProperty;
-
-namespace penumbra
-{
-struct ShadowChoice;
-struct ShadowSettings;
-}
 
 class PENUMBRARENDERING_EXPORT vtkIlluminatedVolumeMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
@@ -328,25 +320,9 @@ protected:
 
   void DrawIlluminated(vtkRenderer* renderer, vtkVolume* volume, vtkDataArray* scalars);
   void DrawStock(vtkRenderer* renderer, vtkVolume* volume);
-  double GetSampleDistanceOrDefault();
-  double GetShadowSampleDistanceOrDefault();
   void MoveTo(vtkOpenGLRenderWindow* window);
-  bool PrepareGeometry(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
-  void PrepareVisibility(vtkImageData* image);
-  bool PrepareTextures(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property,
-    vtkImageData* image, vtkDataArray* scalars);
-  void PrepareLights(vtkRenderer* renderer, vtkVolumeProperty* property);
-  void PrepareMaterial(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
-  bool PrepareEnvironment(vtkOpenGLRenderWindow* window, vtkVolumeProperty* property);
-  void PrepareGradients(vtkOpenGLRenderWindow* window);
-  bool PrepareEmptySpace();
-  void PrepareNoiseFading(vtkVolumeProperty* property);
-  penumbra::ShadowSettings GetShadowSettings(vtkRenderer* renderer);
-  penumbra::ShadowChoice ChooseShadows(vtkRenderer* renderer);
-  void PlanDraws();
   void DrawInTime(vtkRenderer* renderer, double allocatedSeconds);
   void Draw(vtkRenderer* renderer);
-  vtkImageData* GetUsableMask(vtkImageData* image);
   void Say(const std::string& message);
 
   int ShadowTechnique = Auto;
