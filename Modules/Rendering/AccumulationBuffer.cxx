@@ -1,6 +1,7 @@
 #include "AccumulationBuffer.h"
 
 #include "ShaderSource.h"
+#include "TextureSampling.h"
 
 #include "OpenGLEnumerants.h"
 #include "vtkOpenGLQuadHelper.h"
@@ -21,12 +22,7 @@ bool AccumulationBuffer::Resize(vtkOpenGLRenderWindow* window, int width, int he
     {
       continue;
     }
-    picture->SetContext(window);
-    picture->ResetFormatAndType();
-    picture->SetWrapS(vtkTextureObject::ClampToEdge);
-    picture->SetWrapT(vtkTextureObject::ClampToEdge);
-    picture->SetMinificationFilter(vtkTextureObject::Linear);
-    picture->SetMagnificationFilter(vtkTextureObject::Linear);
+    ResetTexture(picture, window, vtkTextureObject::Linear);
     if (!picture->Create2D(width, height, 4, VTK_FLOAT, false))
     {
       return false;

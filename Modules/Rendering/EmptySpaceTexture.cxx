@@ -1,6 +1,7 @@
 #include "EmptySpaceTexture.h"
 
 #include "MatrixUniforms.h"
+#include "TextureSampling.h"
 #include "VisibleScalars.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -89,13 +90,7 @@ void EmptySpaceTexture::Load(vtkOpenGLRenderWindow* window, const TransferFuncti
     ComputeMeanExtinction(this->Bricks, occupied, table) };
   std::vector<unsigned char> cubes = ComputeEmptyCubes(occupied, grid);
   constexpr int octants = 8;
-  this->Texture->SetContext(window);
-  this->Texture->ResetFormatAndType();
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  ResetTexture(this->Texture, window, vtkTextureObject::Nearest);
   this->Texture->Create3DFromRaw(
     grid.Counts[0], grid.Counts[1], octants * grid.Counts[2], 1, VTK_UNSIGNED_CHAR, cubes.data());
 }

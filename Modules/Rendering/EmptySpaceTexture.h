@@ -11,7 +11,6 @@
 
 #include "EmptySpace.h"
 #include "ScalarBricks.h"
-#include "ScalarTexture.h"
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
@@ -23,6 +22,7 @@ class vtkShaderProgram;
 namespace penumbra
 {
 
+struct ScalarRange;
 struct TransferFunctionTable;
 
 /// What leaping works with.

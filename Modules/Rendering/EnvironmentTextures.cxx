@@ -2,6 +2,7 @@
 
 #include "MatrixUniforms.h"
 #include "OpenGLEnumerants.h"
+#include "TextureSampling.h"
 
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -20,13 +21,7 @@ bool Load(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, CubeMap map)
   std::array<void*, 6> faces;
   std::transform(map.Faces.begin(), map.Faces.end(), faces.begin(),
     [](std::vector<float>& face) { return face.data(); });
-  texture->SetContext(window);
-  texture->ResetFormatAndType();
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->SetWrapR(vtkTextureObject::ClampToEdge);
-  texture->SetMinificationFilter(vtkTextureObject::Linear);
-  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  ResetTexture(texture, window, vtkTextureObject::Linear);
   return texture->CreateCubeFromRaw(map.Size, map.Size, 3, VTK_FLOAT, faces.data());
 }
 

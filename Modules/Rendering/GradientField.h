@@ -12,8 +12,6 @@
  *   forward   f+ - f
  *   backward  f - f-
  *   Sobel     (sum w f+ - sum w f-) / 44, w the weights of the 3x3 values across the axis
- *
- * Sums are in double precision and voxel by voxel, so that threads never change them.
  */
 
 #ifndef GradientField_h

@@ -1,7 +1,7 @@
 #include "GradientNoise.h"
 
 #include "GradientField.h"
-#include "ScalarTexture.h"
+#include "ScalarRange.h"
 
 #include "vtkDataArray.h"
 

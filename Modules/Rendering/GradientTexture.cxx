@@ -2,6 +2,7 @@
 
 #include "GradientField.h"
 #include "OpenGLEnumerants.h"
+#include "TextureSampling.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -22,8 +23,7 @@ bool GradientTexture::Update(vtkOpenGLRenderWindow* window, vtkDataArray* scalar
   QuantizedGradientField field = QuantizeGradientField(scalars, dimensions, estimator, bits);
   const bool isShort = field.Bits == 16;
   void* values = isShort ? static_cast<void*>(field.Values16.data()) : field.Values8.data();
-  this->Texture->SetContext(window);
-  this->Texture->ResetFormatAndType();
+  ResetTexture(this->Texture, window, this->Filter);
   this->Texture->SetInternalFormat(isShort ? GL_RGB16_SNORM : GL_RGB8_SNORM);
   this->Texture->SetFormat(GL_RGB);
   this->Texture->SetDataType(isShort ? GL_SHORT : GL_BYTE);
@@ -44,12 +44,8 @@ bool GradientTexture::Update(vtkOpenGLRenderWindow* window, vtkDataArray* scalar
 //------------------------------------------------------------------------------
 void GradientTexture::SetInterpolation(bool linear)
 {
-  const int filter = linear ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMinificationFilter(filter);
-  this->Texture->SetMagnificationFilter(filter);
+  this->Filter = linear ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  SetSampling(this->Texture, this->Filter);
 }
 
 //------------------------------------------------------------------------------

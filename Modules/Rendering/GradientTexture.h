@@ -52,6 +52,7 @@ private:
   GradientEstimator LoadedEstimator = GradientEstimator::CentralDifferences;
   GradientTextureReport Report;
   double Scale = 0.0;
+  int Filter = vtkTextureObject::Linear;
 };
 
 }

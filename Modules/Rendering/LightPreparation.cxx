@@ -31,6 +31,7 @@ LightedScene DescribeLighting(const PictureRequest& request, vtkLightCollection*
   const DrawnScene& scene, VolumeDrawing& drawing, std::vector<std::string>& messages)
 {
   VolumeTextures& textures = drawing.GetTextures();
+  const TransferFunctionTable& functions = textures.GetTransferFunctions().GetTable();
   vtkIlluminatedVolumeMapper* mapper = request.Mapper;
   LightedScene lighted;
   lighted.Property = request.Property;
@@ -39,8 +40,8 @@ LightedScene DescribeLighting(const PictureRequest& request, vtkLightCollection*
   lighted.ClippingPlanes = static_cast<int>(scene.ClippingPlanes.size());
   lighted.Cropping = scene.Cropping;
   lighted.Mask = textures.HasMask();
-  lighted.Opacity = textures.GetLookup();
-  lighted.SteepOpacity = textures.AreTransferFunctionsSteep();
+  lighted.Opacity = functions.Lookup;
+  lighted.SteepOpacity = functions.Steep;
   lighted.LinearInterpolation =
     request.Property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
   lighted.Optics = GetOptics(mapper);

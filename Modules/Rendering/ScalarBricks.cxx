@@ -1,6 +1,6 @@
 #include "ScalarBricks.h"
 
-#include "ScalarTexture.h"
+#include "ScalarRange.h"
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"

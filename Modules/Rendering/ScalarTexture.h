@@ -1,53 +1,24 @@
 /**
  * @file    ScalarTexture.h
- * @brief   a volume's scalars, and its mask, as 3D textures
- *
- * Scalars of 8 and 16 bits become 16-bit normalized values, all others floats: some drivers filter
- * 8-bit textures with 8 bits, which shows under steep transfer functions. Floats are stored
- * relative to an offset where the data's values are large against their range, and divided by a
- * scale where they are beyond single precision. NaN and -Inf count as the smallest finite value,
- * +Inf as the largest.
+ * @brief   a volume's scalars as a 3D texture, encoded as ScalarEncoding.h says
  */
 
 #ifndef ScalarTexture_h
 #define ScalarTexture_h
 
+#include "ScalarEncoding.h"
+#include "ScalarRange.h"
+
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
 
 #include <array>
-#include <vector>
 
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
 
 namespace penumbra
 {
-
-/// The affine map between scalars and what a texture of them returns: scalar = Scale * value +
-/// Offset.
-struct ScalarEncoding
-{
-  bool Normalized = false; ///< 16-bit normalized values; else floats
-  double Scale = 1.0;
-  double Offset = 0.0;
-};
-
-/// Smallest and largest finite value of an array's first component, and whether all are finite.
-struct ScalarRange
-{
-  double Low = 0.0;
-  double High = 0.0;
-  bool AllFinite = true;
-};
-
-ScalarRange ComputeScalarRange(vtkDataArray* scalars);
-ScalarEncoding ChooseEncoding(int scalarType, const ScalarRange& range);
-
-/// Values for a texture of that encoding, one a voxel.
-std::vector<unsigned short> EncodeNormalized(vtkDataArray* scalars, const ScalarEncoding& encoding);
-std::vector<float> EncodeFloat(
-  vtkDataArray* scalars, const ScalarEncoding& encoding, const ScalarRange& range);
 
 class ScalarTexture
 {
@@ -61,16 +32,15 @@ public:
   vtkTextureObject* GetTexture() const { return this->Texture; }
   const ScalarEncoding& GetEncoding() const { return this->Encoding; }
   const ScalarRange& GetRange() const { return this->Range; }
+  /// Whether the scalars are of an integer type.
+  bool HoldsIntegers() const { return this->Integers; }
 
 private:
   vtkNew<vtkTextureObject> Texture;
   ScalarEncoding Encoding;
   ScalarRange Range;
+  bool Integers = false;
 };
-
-/// Loads a mask: 0 hides, all else shows.
-bool LoadMask(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, vtkDataArray* mask,
-  const std::array<int, 3>& dimensions);
 
 }
 

@@ -2,6 +2,7 @@
 
 #include "DrawnScene.h"
 #include "OpenGLEnumerants.h"
+#include "TextureSampling.h"
 #include "VolumeTextures.h"
 
 #include "vtkAbstractArray.h"
@@ -48,13 +49,7 @@ float GetLargestDepth(const ShadowCaster& caster)
 bool ShadowCache::Create(vtkOpenGLRenderWindow* window, const std::array<int, 3>& texels,
   int components, int scalarType, int filter)
 {
-  this->Texture->SetContext(window);
-  this->Texture->ResetFormatAndType();
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMinificationFilter(filter);
-  this->Texture->SetMagnificationFilter(filter);
+  ResetTexture(this->Texture, window, filter);
   this->Framebuffer->SetContext(window);
   this->Bytes = static_cast<std::size_t>(texels[0]) * static_cast<std::size_t>(texels[1]) *
     static_cast<std::size_t>(texels[2]) *

@@ -63,7 +63,7 @@ void PrepareSteps(const SampleDistances& distances, int nearSteps, DrawnScene& s
   task.ShadowNearSteps = nearSteps;
   task.ShadowedLights = needs.GetNumberOfShadowedLights() - task.LookedUpShadows;
   task.LookupIterations =
-    needs.Opacity == TransferFunctionLookup::Points ? textures.GetLookupIterations() : 0;
+    needs.Opacity == TransferFunctionLookup::Points ? textures.GetTransferFunctions().GetLookupIterations() : 0;
   task.ClippingPlanes = needs.ClippingPlanes;
   scene.Plan = PlanMarching(task);
   if (scene.Plan.Coarsened)

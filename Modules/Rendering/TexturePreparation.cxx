@@ -78,7 +78,7 @@ std::string PrepareTextures(const PictureRequest& request, DrawnScene& scene,
   }
   textures.UpdateTransferFunctions(request.Window, request.Property,
     static_cast<GradientEstimator>(request.Mapper->GetGradientEstimator()));
-  if (!textures.AreTransferFunctionsAccurate())
+  if (!textures.GetTransferFunctions().GetTable().Accurate)
   {
     messages.emplace_back(
       "The transfer functions change faster than the largest table can follow.");

@@ -7,13 +7,13 @@
 #define VolumeTextures_h
 
 #include "EmptySpaceTexture.h"
+#include "GradientOpacityTexture.h"
 #include "GradientTexture.h"
+#include "MaskTexture.h"
 #include "ScalarTexture.h"
-#include "TransferFunctionTable.h"
+#include "TransferFunctionTextures.h"
 #include "VolumePlacement.h"
 
-#include "vtkNew.h"
-#include "vtkTextureObject.h"
 #include "vtkTimeStamp.h"
 
 #include <array>
@@ -34,8 +34,11 @@ public:
   /// Loads the volume's scalars. False where the graphics card cannot hold them.
   bool UpdateScalars(vtkOpenGLRenderWindow* window, vtkImageData* image, vtkDataArray* scalars);
   void SetInterpolation(bool linear);
-  /// Loads the mask, or drops it where it is null.
-  bool UpdateMask(vtkOpenGLRenderWindow* window, vtkImageData* mask);
+  /// Loads the mask, or drops it where it is null. False where the graphics card cannot hold it.
+  bool UpdateMask(vtkOpenGLRenderWindow* window, vtkImageData* mask)
+  {
+    return this->Mask.Update(window, mask);
+  }
   void UpdateTransferFunctions(
     vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, GradientEstimator estimator);
   /// Keeps the gradients of the scalars that are loaded, bits of 8 or 16 a component, or drops them
@@ -48,13 +51,9 @@ public:
 
   bool HasNonFiniteScalars() const { return !this->Scalars.GetRange().AllFinite; }
   vtkMTimeType GetScalarsTime() const { return this->ScalarsTime.GetMTime(); }
-  vtkMTimeType GetMaskTime() const { return this->MaskTime.GetMTime(); }
-  bool HasMask() const { return this->LoadedMask != nullptr; }
-  bool AreTransferFunctionsAccurate() const { return this->Table.Accurate; }
-  TransferFunctionLookup GetLookup() const { return this->Table.Lookup; }
-  bool AreTransferFunctionsSteep() const { return this->Table.Steep; }
-  /// Halvings that a search among the points takes; 0 for a table.
-  int GetLookupIterations() const;
+  vtkMTimeType GetMaskTime() const { return this->Mask.GetTime(); }
+  bool HasMask() const { return this->Mask.GetMask() != nullptr; }
+  const TransferFunctionTextures& GetTransferFunctions() const { return this->TransferFunctions; }
   const EmptySpaceReport& GetEmptySpaceReport() const { return this->EmptySpace.GetReport(); }
   const GradientTextureReport& GetGradientReport() const { return this->Gradients.GetReport(); }
   /// Scalar units where the scalar texture holds 1.
@@ -70,11 +69,6 @@ public:
   void Release(vtkOpenGLRenderWindow* window);
 
 private:
-  void LoadTable(vtkOpenGLRenderWindow* window);
-  void LoadPoints(vtkOpenGLRenderWindow* window);
-  void LoadGradientOpacity(
-    vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, GradientEstimator estimator);
-  void SetIntegralUniforms(vtkShaderProgram* program) const;
   std::vector<vtkTextureObject*> GetLoaded() const;
 
   ScalarTexture Scalars;
@@ -82,7 +76,6 @@ private:
   vtkDataArray* LoadedScalars = nullptr;
   vtkImageData* LoadedImage = nullptr;
   std::array<int, 3> LoadedDimensions{};
-  bool IntegerData = false;
   GradientTexture Gradients;
   EmptySpaceTexture EmptySpace;
   vtkTimeStamp EmptySpaceTime;
@@ -90,20 +83,13 @@ private:
   double Noise = 0.0;
   vtkTimeStamp NoiseTime;
 
-  vtkNew<vtkTextureObject> Mask;
-  vtkTimeStamp MaskTime;
-  vtkImageData* LoadedMask = nullptr;
+  MaskTexture Mask;
 
-  TransferFunctionTable Table;
-  GradientOpacityTable GradientOpacity;
+  TransferFunctionTextures TransferFunctions;
+  GradientOpacityTexture GradientOpacity;
   vtkTimeStamp TransferFunctionTime;
   vtkVolumeProperty* LoadedProperty = nullptr;
   GradientEstimator LoadedEstimator = GradientEstimator::CentralDifferences;
-  vtkNew<vtkTextureObject> Extinction;
-  vtkNew<vtkTextureObject> Color;
-  vtkNew<vtkTextureObject> ColorIntegral;
-  vtkNew<vtkTextureObject> Points;
-  vtkNew<vtkTextureObject> GradientOpacityTexture;
 };
 
 }

@@ -1,7 +1,7 @@
 #include "Catch.h"
 #include "MakeArray.h"
 #include "ScalarBricks.h"
-#include "ScalarTexture.h"
+#include "ScalarRange.h"
 
 #include <algorithm>
 #include <limits>

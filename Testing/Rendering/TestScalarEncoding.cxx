@@ -1,6 +1,6 @@
 #include "Catch.h"
 #include "MakeArray.h"
-#include "ScalarTexture.h"
+#include "ScalarEncoding.h"
 
 #include <algorithm>
 #include <cmath>

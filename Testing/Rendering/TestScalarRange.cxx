@@ -1,6 +1,6 @@
 #include "Catch.h"
 #include "MakeArray.h"
-#include "ScalarTexture.h"
+#include "ScalarRange.h"
 
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
