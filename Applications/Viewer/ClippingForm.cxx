@@ -1,12 +1,16 @@
 #include "ClippingForm.h"
 
+#include "ClippingFrame.h"
+#include "ClippingPlaneList.h"
+#include "PanelButton.h"
 #include "PropertyForm.h"
 #include "SceneDocument.h"
 #include "VolumeBox.h"
 #include "VolumeView.h"
 
+#include <QAction>
 #include <QObject>
-#include <QPushButton>
+#include <QToolButton>
 
 #include <vtkImageData.h>
 
@@ -16,47 +20,42 @@ namespace penumbra
 {
 namespace
 {
-// Least part of an axis that a clipping box keeps, in percent.
-constexpr double LeastPercent = 0.5;
-
-using Bounds = std::array<double, 6>;
-
-Bounds WholeBox(vtkImageData* image)
+bool HasBox(const SceneDescription& scene)
 {
-  const int* size = image->GetDimensions();
-  const double* origin = image->GetOrigin();
-  const double* spacing = image->GetSpacing();
-  Bounds bounds;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    bounds[2 * axis] = origin[axis];
-    bounds[2 * axis + 1] = origin[axis] + std::max(size[axis] - 1, 1) * spacing[axis];
-  }
-  return bounds;
+  return scene.Volume.Cropping.has_value();
+}
+
+bool HasPlane(const SceneDescription& scene)
+{
+  return !scene.ClippingPlanes.empty();
 }
 
 // A side of the box, 0 to 5 for x, x, y, y, z, z, in percent of the volume along its axis.
 PropertyAccess<double> AccessToSide(SceneDocument* document, int side)
 {
-  const auto whole = [document] { return WholeBox(document->GetVoxels().Volume); };
-  const int axis = side / 2;
+  const int first = side / 2 * 2;
+  const auto image = [document] { return document->GetVoxels().Volume; };
   return { [=](const SceneDescription& scene)
     {
-      const Bounds all = whole();
-      const double place = scene.Volume.Cropping.value_or(all)[side];
-      return 100.0 * (place - all[2 * axis]) / (all[2 * axis + 1] - all[2 * axis]);
+      const CroppingBox all = WholeBox(image());
+      const double place = KeptBox(scene, image())[side];
+      return 100.0 * (place - all[first]) / (all[first + 1] - all[first]);
     },
     [=](SceneDescription& scene, const double& percent)
     {
-      const Bounds all = whole();
-      const double length = all[2 * axis + 1] - all[2 * axis];
-      Bounds box = scene.Volume.Cropping.value_or(all);
-      const double least = LeastPercent / 100.0 * length;
-      const double place = all[2 * axis] + percent / 100.0 * length;
-      box[side] = side % 2 == 0 ? std::min(place, box[side + 1] - least)
-                                : std::max(place, box[side - 1] + least);
-      scene.Volume.Cropping = box;
+      const CroppingBox all = WholeBox(image());
+      const double place = all[first] + percent / 100.0 * (all[first + 1] - all[first]);
+      scene.Volume.Cropping = WithSideAt(KeptBox(scene, image()), side, place, all);
     } };
+}
+
+template <typename Member>
+PropertyAccess<Vector3> AccessToPlane(SceneDocument* document, Member member)
+{
+  return { [=](const SceneDescription& scene)
+    { return scene.ClippingPlanes[document->GetSelectedPlane()].*member; },
+    [=](SceneDescription& scene, const Vector3& value)
+    { scene.ClippingPlanes[document->GetSelectedPlane()].*member = value; } };
 }
 
 struct DepthRange
@@ -77,12 +76,12 @@ DepthRange DepthsAlong(const Vector3& normal, const SceneDescription& scene, vtk
   return range;
 }
 
-// Of the last plane, in percent of the volume along its normal.
+// Of the selected plane, in percent of the volume along its normal.
 PropertyAccess<double> AccessToDepth(SceneDocument* document)
 {
   return { [=](const SceneDescription& scene)
     {
-      const ClippingPlaneDescription& plane = scene.ClippingPlanes.back();
+      const auto& plane = scene.ClippingPlanes[document->GetSelectedPlane()];
       const Vector3 normal = UnitVector(plane.Normal);
       const DepthRange range = DepthsAlong(normal, scene, document->GetVoxels().Volume);
       return std::clamp(
@@ -91,7 +90,7 @@ PropertyAccess<double> AccessToDepth(SceneDocument* document)
     },
     [=](SceneDescription& scene, const double& percent)
     {
-      ClippingPlaneDescription& plane = scene.ClippingPlanes.back();
+      auto& plane = scene.ClippingPlanes[document->GetSelectedPlane()];
       const Vector3 normal = UnitVector(plane.Normal);
       const DepthRange range = DepthsAlong(normal, scene, document->GetVoxels().Volume);
       const double depth = range.Nearest + percent / 100.0 * (range.Farthest - range.Nearest);
@@ -99,27 +98,20 @@ PropertyAccess<double> AccessToDepth(SceneDocument* document)
     } };
 }
 
-// Cuts away what is before the point that the camera looks at.
-ClippingPlaneDescription PlaneAcrossView(const VolumeView* view)
+void AddBox(PropertyForm* form, SceneDocument* document, QAction* drag)
 {
-  const ViewFrame frame = view->GetFrame();
-  return { frame.FocalPoint, Scaled(frame.Backward, -1.0) };
-}
-
-void AddBox(PropertyForm* form, SceneDocument* document)
-{
-  const auto hasBox = [](const SceneDescription& scene)
-  { return scene.Volume.Cropping.has_value(); };
+  const auto whole = [document] { return WholeBox(document->GetVoxels().Volume); };
   form->AddSwitch(
     { QObject::tr("Clipping box"),
       QObject::tr("Show only what is within a box. What is cut away casts no shadow.") },
-    { hasBox,
+    { HasBox,
       [=](SceneDescription& scene, const bool& on)
       {
         scene.Volume.Cropping.reset();
         if (on)
         {
-          scene.Volume.Cropping = WholeBox(document->GetVoxels().Volume);
+          scene.Volume.Cropping = whole();
+          drag->setChecked(true);
         }
       } });
   const QString sides[] = { QObject::tr("x from"), QObject::tr("x to"), QObject::tr("y from"),
@@ -130,48 +122,53 @@ void AddBox(PropertyForm* form, SceneDocument* document)
                       QObject::tr("A side of the clipping box, in percent of the volume along its "
                                   "axis") },
       { 0.0, 100.0, 1 }, 100.0, AccessToSide(document, side));
-    form->ShowLastWhen(hasBox);
+    form->ShowLastWhen(HasBox);
   }
-}
-
-void AddPlane(PropertyForm* form, SceneDocument* document, VolumeView* view)
-{
-  const auto hasPlane = [](const SceneDescription& scene) { return !scene.ClippingPlanes.empty(); };
-  form->AddSwitch(
-    { QObject::tr("Cutting plane"),
-      QObject::tr("Cut away what lies between you and the middle of the view. What is "
-                  "cut away casts no shadow.") },
-    { hasPlane,
-      [=](SceneDescription& scene, const bool& on)
-      {
-        scene.ClippingPlanes.clear();
-        if (on)
-        {
-          scene.ClippingPlanes.push_back(PlaneAcrossView(view));
-        }
-      } });
-  form->AddSlider({ QObject::tr("Depth of cut"),
-                    QObject::tr("How far into the volume the plane cuts, in percent") },
-    { 0.0, 100.0, 1 }, 100.0, AccessToDepth(document));
-  form->ShowLastWhen(hasPlane);
-  auto* const face = new QPushButton(QObject::tr("Turn the plane to face me"), form);
-  face->setToolTip(QObject::tr("Cut along your view as it is now"));
-  QObject::connect(face, &QPushButton::clicked, form,
+  QToolButton* reset = MakePanelButton(
+    QObject::tr("Reset the box"), QObject::tr("Let the box hold the whole volume again"), form);
+  reset->setObjectName("resetBox");
+  QObject::connect(reset, &QToolButton::clicked, form,
     [=]
     {
-      document->Edit(QObject::tr("turn of the cutting plane"),
-        [=](SceneDescription& scene) { scene.ClippingPlanes.back() = PlaneAcrossView(view); });
+      document->Edit(QObject::tr("reset of the clipping box"),
+        [=](SceneDescription& scene) { scene.Volume.Cropping = whole(); });
     });
-  form->AddWidget(face);
-  form->ShowLastWhen(hasPlane);
+  form->AddWidget(reset);
+  form->ShowLastWhen(HasBox);
+}
+
+void AddPlanes(PropertyForm* form, SceneDocument* document, VolumeView* view, QAction* drag)
+{
+  auto* const list = new ClippingPlaneList(document, view, form);
+  QObject::connect(list, &ClippingPlaneList::added, form, [drag] { drag->setChecked(true); });
+  form->AddWidget(list);
+  form->AddSlider({ QObject::tr("Depth of cut"),
+                    QObject::tr("How far into the volume the selected plane cuts, in percent") },
+    { 0.0, 100.0, 1 }, 100.0, AccessToDepth(document));
+  form->ShowLastWhen(HasPlane);
+  form->AddVector({ QObject::tr("Plane through"),
+                    QObject::tr("A point that the selected plane goes through, in the world") },
+    { -1e6, 1e6, 3 }, AccessToPlane(document, &ClippingPlaneDescription::Origin));
+  form->ShowLastWhen(HasPlane);
+  form->AddVector({ QObject::tr("Keeps towards"),
+                    QObject::tr("The plane's normal: it points to the side that stays") },
+    { -1e6, 1e6, 3 }, AccessToPlane(document, &ClippingPlaneDescription::Normal));
+  form->ShowLastWhen(HasPlane);
 }
 }
 
 //------------------------------------------------------------------------------
-void FillClippingForm(PropertyForm* form, SceneDocument* document, VolumeView* view)
+void FillClippingForm(PropertyForm* form, SceneDocument* document, VolumeView* view, QAction* drag)
 {
-  AddBox(form, document);
-  AddPlane(form, document, view);
+  AddBox(form, document, drag);
+  AddPlanes(form, document, view, drag);
+  auto* const show = new QToolButton(form);
+  show->setDefaultAction(drag);
+  show->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  show->setFocusPolicy(Qt::StrongFocus);
+  form->AddWidget(show);
+  form->ShowLastWhen(
+    [](const SceneDescription& scene) { return HasBox(scene) || HasPlane(scene); });
 }
 
 }

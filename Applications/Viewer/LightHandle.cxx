@@ -3,18 +3,15 @@
 #include "LightEdits.h"
 #include "LightForms.h"
 #include "SceneDocument.h"
-#include "SceneRendering.h"
+#include "ViewOverlay.h"
 #include "VolumeView.h"
 
 #include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkHandleWidget.h>
-#include <vtkImageData.h>
 #include <vtkLineSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkSphereHandleRepresentation.h>
@@ -82,29 +79,22 @@ LightHandle::LightHandle(SceneDocument* document, VolumeView* view, QObject* par
   , Document(document)
   , View(view)
 {
-  this->Overlay->SetLayer(1);
-  this->Overlay->SetInteractive(false);
-  this->Overlay->AddObserver(vtkCommand::StartEvent, this, &LightHandle::FollowCamera);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(this->Line->GetOutputPort());
   this->LineActor->SetMapper(mapper);
   this->LineActor->GetProperty()->SetColor(1.0, 0.85, 0.3);
   this->LineActor->GetProperty()->SetLighting(false);
   this->LineActor->PickableOff();
-  this->Overlay->AddActor(this->LineActor);
+  view->GetOverlay()->GetRenderer()->AddActor(this->LineActor);
   this->Ball->SetHandleSize(BallPixels);
   this->Ball->GetProperty()->SetColor(1.0, 0.85, 0.3);
   this->Ball->GetSelectedProperty()->SetColor(1.0, 1.0, 0.7);
   this->Widget->SetRepresentation(this->Ball);
-  this->Widget->SetInteractor(view->interactor());
-  this->Widget->SetDefaultRenderer(this->Overlay);
-  this->Widget->SetCurrentRenderer(this->Overlay);
+  view->GetOverlay()->Add(this->Widget, view->interactor());
   this->Widget->AddObserver(vtkCommand::InteractionEvent, this, &LightHandle::TakePlace);
   this->connect(document, &SceneDocument::changed, this, &LightHandle::Refresh);
   this->connect(document, &SceneDocument::lightSelected, this, &LightHandle::Refresh);
   this->connect(view, &VolumeView::cameraMoved, this, &LightHandle::Refresh);
-  this->connect(view, &VolumeView::bare, this,
-    [this](bool hidden) { this->Overlay->SetDraw(this->Shown && !hidden); });
 }
 
 //------------------------------------------------------------------------------
@@ -112,30 +102,15 @@ LightHandle::~LightHandle()
 {
   this->View->makeCurrent();
   this->Widget->SetInteractor(nullptr);
-  this->View->renderWindow()->RemoveRenderer(this->Overlay);
+  this->View->GetOverlay()->GetRenderer()->RemoveActor(this->LineActor);
 }
 
 //------------------------------------------------------------------------------
 void LightHandle::Show(bool shown)
 {
   this->Shown = shown;
-  vtkRenderWindow* window = this->View->renderWindow();
-  if (shown && !window->HasRenderer(this->Overlay))
-  {
-    window->SetNumberOfLayers(2);
-    window->AddRenderer(this->Overlay);
-  }
-  this->Overlay->SetDraw(shown);
   this->Refresh();
   this->View->ScheduleFrame();
-}
-
-//------------------------------------------------------------------------------
-void LightHandle::FollowCamera()
-{
-  this->Overlay->GetActiveCamera()->DeepCopy(
-    this->View->GetRendering()->GetRenderer()->GetActiveCamera());
-  this->Overlay->ResetCameraClippingRange();
 }
 
 //------------------------------------------------------------------------------
@@ -160,7 +135,7 @@ void LightHandle::Refresh()
     const double length = Length(Difference(frame.FocalPoint, place));
     target = Sum(place, Scaled(UnitVector(inScene.Direction), length));
   }
-  this->FollowCamera();
+  this->View->GetOverlay()->FollowCamera();
   if (!this->Widget->GetEnabled())
   {
     this->Widget->On();

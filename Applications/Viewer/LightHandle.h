@@ -19,7 +19,6 @@
 class vtkActor;
 class vtkHandleWidget;
 class vtkLineSource;
-class vtkRenderer;
 class vtkSphereHandleRepresentation;
 
 namespace penumbra
@@ -46,12 +45,10 @@ public:
 
 private:
   void Refresh();
-  void FollowCamera();
   void TakePlace();
 
   SceneDocument* Document;
   VolumeView* View;
-  vtkNew<vtkRenderer> Overlay;
   vtkNew<vtkHandleWidget> Widget;
   vtkNew<vtkSphereHandleRepresentation> Ball;
   vtkNew<vtkLineSource> Line;

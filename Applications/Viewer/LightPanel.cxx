@@ -3,6 +3,7 @@
 #include "DirectionBall.h"
 #include "LightEdits.h"
 #include "LightForms.h"
+#include "PanelButton.h"
 #include "PropertyForm.h"
 #include "SceneDocument.h"
 #include "ScrollableArea.h"
@@ -26,22 +27,10 @@ namespace penumbra
 {
 namespace
 {
-QToolButton* MakeButton(const QString& text, const QString& tip, QWidget* parent)
-{
-  auto* const button = new QToolButton(parent);
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setAccessibleName(text);
-  button->setAccessibleDescription(tip);
-  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  button->setFocusPolicy(Qt::StrongFocus);
-  return button;
-}
-
 QToolButton* MakeMenuButton(
   const QString& text, const QString& tip, const QList<QAction*>& actions, QWidget* parent)
 {
-  QToolButton* button = MakeButton(text, tip, parent);
+  QToolButton* button = MakePanelButton(text, tip, parent);
   auto* const menu = new QMenu(button);
   menu->addActions(actions);
   menu->setToolTipsVisible(true);
@@ -123,7 +112,7 @@ QWidget* LightPanel::MakeButtons()
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(
     MakeMenuButton(tr("Add"), tr("Add a light to the scene"), this->AddActions, row));
-  QToolButton* remove = MakeButton(tr("Remove"), tr("Remove the selected light"), row);
+  QToolButton* remove = MakePanelButton(tr("Remove"), tr("Remove the selected light"), row);
   remove->setObjectName("removeLightButton");
   this->connect(remove, &QToolButton::clicked, this->RemoveAction, &QAction::trigger);
   this->connect(this->RemoveAction, &QAction::changed, remove,

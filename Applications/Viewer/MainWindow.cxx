@@ -3,6 +3,7 @@
 #include "AboutDialog.h"
 #include "AppearancePanel.h"
 #include "ClippingForm.h"
+#include "ClippingHandles.h"
 #include "FileActions.h"
 #include "InformationPanel.h"
 #include "LightHandle.h"
@@ -71,6 +72,7 @@ MainWindow::MainWindow(const std::filesystem::path& dicomParser, QWidget* parent
 MainWindow::~MainWindow()
 {
   delete this->Handle; // before the view
+  delete this->Clipping;
 }
 
 //------------------------------------------------------------------------------
@@ -121,7 +123,16 @@ void MainWindow::MakePanels()
     this->AddPanel(tr("Appearance"), "appearanceDock", Qt::RightDockWidgetArea, this->Appearance);
   auto* const rendering = new PropertyForm(this->Document, this);
   FillRenderingForm(rendering, this->Document);
-  FillClippingForm(rendering, this->Document, this->View);
+  this->Clipping = new ClippingHandles(this->Document, this->View, this);
+  this->DragClipping = new QAction(tr("Drag the &clipping in the view"), this);
+  this->DragClipping->setObjectName("dragClipping");
+  this->DragClipping->setShortcut(tr("C"));
+  this->DragClipping->setCheckable(true);
+  this->DragClipping->setToolTip(
+    tr("The clipping box and planes in the view: drag a ball to cut more or less, an arrow to turn "
+       "a plane"));
+  this->connect(this->DragClipping, &QAction::toggled, this->Clipping, &ClippingHandles::Show);
+  FillClippingForm(rendering, this->Document, this->View, this->DragClipping);
   this->RenderingDock = this->AddPanel(
     tr("Rendering"), "renderingDock", Qt::RightDockWidgetArea, MakeScrollable(rendering));
   rendering->Refresh();
@@ -154,6 +165,7 @@ void MainWindow::MakeMenus()
   bar->addSeparator();
   QMenu* view = this->menuBar()->addMenu(tr("&View"));
   (new ViewActions(this->Document, this->View, this))->Fill(view, bar);
+  view->addAction(this->DragClipping);
   QMenu* panels = view->addMenu(tr("Pa&nels"));
   for (QDockWidget* dock : this->findChildren<QDockWidget*>())
   {

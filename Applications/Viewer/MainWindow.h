@@ -19,6 +19,7 @@ namespace penumbra
 {
 
 class AppearancePanel;
+class ClippingHandles;
 class FileActions;
 class InformationPanel;
 class LightHandle;
@@ -105,6 +106,8 @@ private:
   InformationPanel* Information = nullptr;
   LightPanel* Lights = nullptr;
   LightHandle* Handle = nullptr;
+  ClippingHandles* Clipping = nullptr;
+  QAction* DragClipping = nullptr;
   AppearancePanel* Appearance = nullptr;
   QDockWidget* InformationDock = nullptr;
   QDockWidget* LightDock = nullptr;

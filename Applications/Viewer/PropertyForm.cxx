@@ -30,6 +30,7 @@ PropertyForm::PropertyForm(SceneDocument* document, QWidget* parent)
   this->setEnabled(false);
   this->connect(document, &SceneDocument::changed, this, &PropertyForm::Refresh);
   this->connect(document, &SceneDocument::lightSelected, this, &PropertyForm::Refresh);
+  this->connect(document, &SceneDocument::planeSelected, this, &PropertyForm::Refresh);
 }
 
 //------------------------------------------------------------------------------

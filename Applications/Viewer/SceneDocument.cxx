@@ -22,6 +22,14 @@ std::string TextOf(const SceneDescription& scene)
 {
   return WriteScene(scene, scene.Volume.File.parent_path());
 }
+
+// The selected element of a list that may have become shorter; of an empty one: -1.
+template <typename List>
+int NearestOf(const List& list, int selected)
+{
+  const int count = static_cast<int>(list.size());
+  return std::clamp(selected, std::min(0, count - 1), count - 1);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -45,6 +53,7 @@ void SceneDocument::Open(const OpenedScene& opened)
   this->Scene = std::make_shared<const SceneDescription>(opened.Scene);
   this->SceneAsOpened = this->Scene;
   this->SelectedLight = this->Scene->Lights.empty() ? -1 : 0;
+  this->SelectedPlane = this->Scene->ClippingPlanes.empty() ? -1 : 0;
   emit this->opened();
   emit this->changed();
   emit this->fileChanged();
@@ -92,8 +101,8 @@ void SceneDocument::Show(const SharedScene& scene)
   shown->Image.Size = this->Scene->Image.Size;
   this->Scene = shown;
   this->Voxels.Environment = this->FindEnvironment(scene->Material);
-  const int lights = static_cast<int>(scene->Lights.size());
-  this->SelectedLight = std::clamp(this->SelectedLight, std::min(0, lights - 1), lights - 1);
+  this->SelectedLight = NearestOf(scene->Lights, this->SelectedLight);
+  this->SelectedPlane = NearestOf(scene->ClippingPlanes, this->SelectedPlane);
   emit this->changed();
 }
 
@@ -139,6 +148,16 @@ void SceneDocument::SelectLight(int light)
   {
     this->SelectedLight = light;
     emit this->lightSelected(light);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneDocument::SelectPlane(int plane)
+{
+  if (plane != this->SelectedPlane)
+  {
+    this->SelectedPlane = plane;
+    emit this->planeSelected(plane);
   }
 }
 

@@ -73,12 +73,19 @@ public:
   void SelectLight(int light);
   ///@}
 
+  /// The clipping plane that is being edited; none: -1.
+  ///@{
+  int GetSelectedPlane() const { return this->SelectedPlane; }
+  void SelectPlane(int plane);
+  ///@}
+
 signals:
   /// Another volume is shown.
   void opened();
   /// The description changed; also after opened().
   void changed();
   void lightSelected(int light);
+  void planeSelected(int plane);
   /// An edit would have made a scene that is not valid.
   void refused(const QString& reason);
   /// The file that the scene is saved as changed.
@@ -98,6 +105,7 @@ private:
   std::optional<std::filesystem::path> SceneFile;
   QUndoStack History;
   int SelectedLight = -1;
+  int SelectedPlane = -1;
 };
 
 }

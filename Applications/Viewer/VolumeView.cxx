@@ -6,6 +6,7 @@
 #include "SceneRendering.h"
 #include "SurfacePicking.h"
 #include "ViewDecorations.h"
+#include "ViewOverlay.h"
 #include "VolumeFields.h"
 
 #include <QApplication>
@@ -21,7 +22,6 @@
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkRendererCollection.h>
 #include <vtkVolume.h>
 
 #include <algorithm>
@@ -79,6 +79,7 @@ VolumeView::VolumeView(SceneDocument* document, QWidget* parent)
   this->interactor()->AddObserver(vtkCommand::RenderEvent, this, &VolumeView::ScheduleFrame);
 
   this->Decorations = std::make_unique<ViewDecorations>(this->interactor());
+  this->Overlay = std::make_unique<ViewOverlay>(this->Window);
   this->FrameTimer.setSingleShot(true);
   this->RefineTimer.setSingleShot(true);
   this->connect(&this->FrameTimer, &QTimer::timeout, this, &VolumeView::DrawMoving);
@@ -90,21 +91,30 @@ VolumeView::VolumeView(SceneDocument* document, QWidget* parent)
 //------------------------------------------------------------------------------
 VolumeView::~VolumeView()
 {
-  this->makeCurrent();
+  this->Forget();
   this->Decorations.reset();
-  this->Window->GetRenderers()->RemoveAllItems();
-  this->Rendering.reset();
+  this->Window->RemoveRenderer(this->Overlay->GetRenderer());
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::Forget()
+{
+  this->makeCurrent();
+  if (this->Rendering)
+  {
+    this->Decorations->Detach();
+    this->Overlay->Attach(nullptr);
+    // The style keeps the renderer that it moved last.
+    this->interactor()->GetInteractorStyle()->SetCurrentRenderer(nullptr);
+    this->Window->RemoveRenderer(this->Rendering->GetRenderer());
+    this->Rendering.reset();
+  }
 }
 
 //------------------------------------------------------------------------------
 void VolumeView::ShowOpened()
 {
-  if (this->Rendering)
-  {
-    this->makeCurrent();
-    this->Decorations->Detach();
-    this->Window->RemoveRenderer(this->Rendering->GetRenderer());
-  }
+  this->Forget();
   const SceneDescription& scene = this->Document->GetScene();
   this->Rendering = std::make_unique<SceneRendering>(scene, this->Document->GetVoxels());
   this->Renderer = scene.Renderer;
@@ -121,6 +131,7 @@ void VolumeView::AttachDecorations()
   // Of what the readers tell, only DICOM's world is known to be a patient's.
   const bool isPatient = !TextField(volume, "Modality").empty();
   this->Decorations->Attach(this->Rendering->GetRenderer(), isPatient, isPatient ? "mm" : "");
+  this->Overlay->Attach(this->Rendering->GetRenderer());
 }
 
 //------------------------------------------------------------------------------
@@ -388,12 +399,12 @@ vtkSmartPointer<vtkImageData> VolumeView::TakePicture()
   const bool scaleBar = this->Decorations->HasScaleBar();
   this->Decorations->ShowOrientation(false);
   this->Decorations->ShowScaleBar(false);
-  emit this->bare(true);
+  this->Overlay->Show(false);
   this->Draw(1);
   const auto picture = ReadPicture(this->Window);
   this->Decorations->ShowOrientation(orientation);
   this->Decorations->ShowScaleBar(scaleBar);
-  emit this->bare(false);
+  this->Overlay->Show(true);
   this->ScheduleFrame();
   return picture;
 }

@@ -30,6 +30,7 @@ namespace penumbra
 class SceneDocument;
 class SceneRendering;
 class ViewDecorations;
+class ViewOverlay;
 
 class VolumeView : public QVTKOpenGLNativeWidget
 {
@@ -57,6 +58,7 @@ public:
   /// Whether what is seen is the whole picture of the scene as it is now.
   bool IsRefined() const { return this->Refined; }
 
+  ViewOverlay* GetOverlay() { return this->Overlay.get(); }
   ViewDecorations* GetDecorations() { return this->Decorations.get(); }
   const ViewQuality& GetQuality() const { return this->Quality; }
 
@@ -67,8 +69,6 @@ signals:
   /// The whole picture is seen; it took so long.
   void refined(double seconds);
   void cameraMoved();
-  /// Whether what is drawn over the scene is to be hidden, for a picture of the scene alone.
-  void bare(bool hidden);
   /// The user asks for light at this point of the world.
   void aimed(const penumbra::Vector3& target);
   /// What the renderer cannot do of the scene, or had to do otherwise.
@@ -82,6 +82,7 @@ protected:
 
 private:
   void ShowOpened();
+  void Forget();
   void ShowChanged();
   void DrawMoving();
   void Refine();
@@ -97,6 +98,7 @@ private:
   vtkNew<vtkGenericOpenGLRenderWindow> Window;
   std::unique_ptr<SceneRendering> Rendering;
   std::unique_ptr<ViewDecorations> Decorations;
+  std::unique_ptr<ViewOverlay> Overlay;
   RendererChoice Renderer = RendererChoice::Penumbra;
   ViewQuality Quality;
   double SecondsOfLastWholeFrame = 0.0;

@@ -30,14 +30,6 @@ struct LightSession : ViewerSession
   std::size_t CountLights() { return this->Document.GetScene().Lights.size(); }
   const LightDescription& Light(std::size_t i) { return this->Document.GetScene().Lights[i]; }
 
-  template <typename Type>
-  Type* Find(const QString& name)
-  {
-    auto* const found = this->Window.findChild<Type*>(name);
-    REQUIRE(found);
-    return found;
-  }
-
   double ChangeSince(vtkImageData* before)
   {
     return CompareImages(before, this->TakePicture()).rmse;

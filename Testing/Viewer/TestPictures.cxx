@@ -1,6 +1,5 @@
 #include "Catch.h"
 #include "ImageComparison.h"
-#include "NumberBox.h"
 #include "PictureActions.h"
 #include "RunProgram.h"
 #include "SurfacePicking.h"
@@ -9,7 +8,6 @@
 #include "ViewerSession.h"
 
 #include <QApplication>
-#include <QCheckBox>
 #include <QClipboard>
 
 #include <vtkImageData.h>
@@ -48,25 +46,6 @@ TEST_CASE("A turntable is a series of different pictures, or a video")
   CHECK(CompareImages(first, ReadPNG(session.Files.PathOf("turn0001.png"))).rmse > 2.0);
   CHECK(pictures->SaveTurntable(session.Files.PathOf("turn.ogv"), { 64, 48 }, 3) == 3);
   CHECK(ReadAll(session.Files.PathOf("turn.ogv")).substr(0, 4) == "OggS");
-}
-
-TEST_CASE("What the clipping box and the cutting plane cut away is not seen")
-{
-  ViewerSession session;
-  REQUIRE(session.Open(session.Files.File));
-  const auto whole = session.TakePicture();
-  for (const char* name : { "Clipping box", "Cutting plane" })
-  {
-    CAPTURE(name);
-    auto* const box = session.Window.findChild<QCheckBox*>(name);
-    box->click();
-    auto* const side = session.Window.findChild<NumberBox*>(
-      QString(name) == "Clipping box" ? "z to" : "Depth of cut");
-    side->setValue(50.0);
-    CHECK(CompareImages(whole, session.TakePicture()).rmse > 2.0);
-    box->click();
-    CHECK(CompareImages(whole, session.TakePicture()).rmse == 0.0);
-  }
 }
 
 TEST_CASE("The surface that is seen is found, and nothing beside the volume")

@@ -3,15 +3,18 @@
 #include "Catch.h"
 #include "ImageComparison.h"
 #include "RunProgram.h"
+#include "SceneRendering.h"
 #include "SyntheticVolumes.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QMouseEvent>
 
 #include <vtkImageData.h>
 #include <vtkImageExtractComponents.h>
 #include <vtkMetaImageWriter.h>
 #include <vtkNew.h>
+#include <vtkRenderer.h>
 
 namespace penumbra
 {
@@ -66,6 +69,38 @@ bool ViewerSession::Open(const std::string& file)
   WaitFor([&] { return opened || !this->Reason.empty(); });
   QObject::disconnect(connection);
   return opened && WaitFor([this] { return this->Window.GetView()->IsRefined(); });
+}
+
+//------------------------------------------------------------------------------
+void ViewerSession::DragInView(const Vector3& from, const Vector3& to)
+{
+  constexpr int steps = 5;
+  VolumeView* view = this->Window.GetView();
+  WaitFor([view] { return view->IsRefined(); });
+  vtkRenderer* renderer = view->GetRendering()->GetRenderer();
+  const auto place = [&](const Vector3& world)
+  {
+    renderer->SetWorldPoint(world[0], world[1], world[2], 1.0);
+    renderer->WorldToDisplay();
+    const double* display = renderer->GetDisplayPoint();
+    return QPointF(display[0] + 0.5, view->height() - display[1] - 0.5);
+  };
+  const QPointF start = place(from);
+  const QPointF path = place(to) - start;
+  const auto send = [view](QEvent::Type type, const QPointF& where, Qt::MouseButtons buttons)
+  {
+    const auto button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, where, button, buttons, Qt::NoModifier);
+    QApplication::sendEvent(view, &event);
+    QApplication::processEvents();
+  };
+  send(QEvent::MouseMove, start, Qt::NoButton);
+  send(QEvent::MouseButtonPress, start, Qt::LeftButton);
+  for (int i = 1; i <= steps; ++i)
+  {
+    send(QEvent::MouseMove, start + path * i / steps, Qt::LeftButton);
+  }
+  send(QEvent::MouseButtonRelease, start + path, Qt::NoButton);
 }
 
 //------------------------------------------------------------------------------

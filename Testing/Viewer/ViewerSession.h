@@ -6,6 +6,7 @@
 #ifndef ViewerSession_h
 #define ViewerSession_h
 
+#include "Catch.h"
 #include "MainWindow.h"
 #include "SceneDocument.h"
 #include "SceneOpening.h"
@@ -42,6 +43,17 @@ public:
 
   /// The whole picture of the scene as it is now.
   vtkSmartPointer<vtkImageData> TakePicture();
+
+  /// Presses the left button at a place of the scene, moves to another and lets go.
+  void DragInView(const Vector3& from, const Vector3& to);
+
+  template <typename Type>
+  Type* Find(const QString& name)
+  {
+    auto* const found = this->Window.findChild<Type*>(name);
+    REQUIRE(found);
+    return found;
+  }
 
   ShellsScene Files;
   MainWindow Window;
