@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  // A variant that is refused or fails is a note, and the others go on.
+  // A variant that fails is a note, and the others go on.
   template <class Task>
   void Attempt(const std::string& variant, const Task& task)
   {
@@ -93,21 +93,10 @@ private:
     {
       task();
     }
-    catch (const InputError& error)
-    {
-      this->Result.Notes.push_back(variant + " is left out: " + this->WithoutFile(error.what()));
-    }
     catch (const RenderingError& error)
     {
       this->Note(variant + " failed: " + error.what());
     }
-  }
-
-  // What is refused in one scene is so in all.
-  std::string WithoutFile(const std::string& error) const
-  {
-    const std::string file = this->Cell.Scene.File.u8string() + ": ";
-    return error.rfind(file, 0) == 0 ? error.substr(file.size()) : error;
   }
 
   void Note(const std::string& text)

@@ -4,7 +4,6 @@
 
 #include <vtkVersion.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -47,18 +46,6 @@ SpeedCellResult ParseCell(const Json& json)
     json.at("notes").get<std::vector<std::string>>(), json.at("opengl") };
 }
 
-// What is the same for many cells is told once.
-void AddNotes(const std::vector<std::string>& more, std::vector<std::string>& notes)
-{
-  for (const std::string& note : more)
-  {
-    if (std::find(notes.begin(), notes.end(), note) == notes.end())
-    {
-      notes.push_back(note);
-    }
-  }
-}
-
 SpeedCellResult MeasureOnce(const SpeedCell& cell, const SpeedMeasuring& measuring, StudyLog& log)
 {
   const std::string key = KeyOf(cell, measuring.Full);
@@ -86,7 +73,7 @@ SpeedStudyResult RunSpeedStudy(
     }
     const SpeedCellResult cell = MeasureOnce(cells[at], options.Measuring, log);
     result.Rows.insert(result.Rows.end(), cell.Rows.begin(), cell.Rows.end());
-    AddNotes(cell.Notes, result.Notes);
+    result.Notes.insert(result.Notes.end(), cell.Notes.begin(), cell.Notes.end());
     result.OpenGLRenderer = cell.Rows.empty() ? result.OpenGLRenderer : cell.OpenGLRenderer;
   }
   if (result.Rows.empty())

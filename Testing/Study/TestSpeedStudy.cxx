@@ -38,7 +38,8 @@ TEST_CASE("A small grid is drawn by every technique that there is")
   const RenderProgram program(PENUMBRA_RENDER, folder.PathOf(""));
   const SpeedStudyResult result =
     RunSpeedStudy({ cell }, { folder.PathOf(""), { {}, &program }, {} });
-  for (const char* variant : { "vtk, unlit", "vtk, lit", "unlit", "lit", "rays", "auto" })
+  for (const char* variant :
+    { "vtk, unlit", "vtk, lit", "unlit", "lit", "rays", "volume", "deep-map", "auto", "map, hard" })
   {
     CAPTURE(variant);
     const SpeedRow* row = Find(result, variant);
@@ -74,22 +75,6 @@ TEST_CASE("A shadow is held against rays with half the shadow step, and edits of
   // Shadow steps of 5 lengths where the balls' borders are 5 thick.
   CHECK(rays->Error->RootMeanSquare > 0.0);
   CHECK(rays->Error->RootMeanSquare < 4.0);
-}
-
-TEST_CASE("A technique that this program lacks is left out and told once")
-{
-  const TemporaryFolder folder;
-  SpeedCell other = Balls(folder, 12);
-  std::filesystem::copy(other.Scene.File, folder.PathOf("scenes/other.json"));
-  other.Scene = { "other", folder.PathOf("scenes/other.json") };
-  const SpeedStudyResult result = Run({ Balls(folder), other }, folder);
-  for (const char* technique : { "volume", "deep-map" })
-  {
-    const auto told = std::count_if(result.Notes.begin(), result.Notes.end(),
-      [&](const std::string& note)
-      { return note.rfind(std::string(technique) + " is left out: ", 0) == 0; });
-    CHECK(told == (Find(result, technique) ? 0 : 1));
-  }
 }
 
 TEST_CASE("What was measured is not measured again, unless its scene has changed")
