@@ -3,6 +3,7 @@
 #include "InputError.h"
 #include "OutputFile.h"
 #include "Picture.h"
+#include "ProgramArguments.h"
 #include "SheetDescription.h"
 #include "SheetPicture.h"
 
@@ -11,7 +12,6 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <filesystem>
-#include <iostream>
 #include <string>
 
 namespace penumbra
@@ -61,18 +61,9 @@ void RunSheetCommand(int argc, char* argv[])
   std::string output;
   program.add_option("SHEET", input, "What the sheet shows (.json)")->type_name("SHEET.json");
   program.add_option("--output", output, "Picture to write: .png")->type_name("FILE");
-  try
+  if (!ParseArguments(program, argc, argv))
   {
-    program.parse(argc, argv);
-  }
-  catch (const CLI::Success& answer)
-  {
-    program.exit(answer, std::cout, std::cerr);
     return;
-  }
-  catch (const CLI::ParseError& error)
-  {
-    throw InputError(std::string(error.what()) + "; penumbra-contact-sheet --help tells the usage");
   }
   if (input.empty() || output.empty())
   {

@@ -2,6 +2,7 @@
 
 #include "InputError.h"
 #include "Preset.h"
+#include "ProgramArguments.h"
 #include "ProgramFolder.h"
 
 #include <CLI/CLI.hpp>
@@ -128,18 +129,9 @@ std::optional<RenderCommand> ParseCommandLine(int argc, char* argv[])
   RenderCommand command;
   AddOptions(program, words, command);
   command.DicomParser = FolderOfProgram(argv[0]) / PENUMBRA_DICOM_PARSER;
-  try
+  if (!ParseArguments(program, argc, argv))
   {
-    program.parse(argc, argv);
-  }
-  catch (const CLI::Success& answer)
-  {
-    program.exit(answer, std::cout, std::cerr);
     return std::nullopt;
-  }
-  catch (const CLI::ParseError& error)
-  {
-    throw InputError(std::string(error.what()) + "; penumbra-render --help tells the usage");
   }
   if (words.ListPresets)
   {

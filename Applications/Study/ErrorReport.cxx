@@ -38,6 +38,30 @@ std::string OrderInWords(const std::vector<ErrorRow>& rows, const std::string& s
   const auto order = ObservedOrder(rows, scene, Rays);
   return order ? "order " + Fixed(*order, 1) : "too close to tell an order";
 }
+
+// A scene's errors over another member of their rows, a series for each variant. Points tell their
+// step where the axis does not.
+std::vector<ChartSeries> SeriesOf(
+  const ErrorStudyResult& result, const std::string& scene, double ErrorRow::*place)
+{
+  std::vector<ChartSeries> all;
+  for (const StudyVariant& variant : GetStudyVariants())
+  {
+    ChartSeries series;
+    series.Name = variant.Name;
+    for (const ErrorRow& row : RowsOf(result.Rows, scene, variant.Name))
+    {
+      series.X.push_back(row.*place);
+      series.Y.push_back(row.Error.RootMeanSquare);
+      if (place != &ErrorRow::Step)
+      {
+        series.Labels.push_back(StepName(row.Step));
+      }
+    }
+    all.push_back(series);
+  }
+  return all;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -157,18 +181,7 @@ ChartDescription ChartOfTime(const ErrorStudyResult& result, const std::string& 
   chart.Title = scene + ": error over time";
   chart.XTitle = "processor time, in unlit frames of VTK";
   chart.YTitle = "RMSE, grey levels of 255";
-  for (const StudyVariant& variant : GetStudyVariants())
-  {
-    ChartSeries series;
-    series.Name = variant.Name;
-    for (const ErrorRow& row : RowsOf(result.Rows, scene, variant.Name))
-    {
-      series.X.push_back(row.Relative);
-      series.Y.push_back(row.Error.RootMeanSquare);
-      series.Labels.push_back(StepName(row.Step));
-    }
-    chart.Series.push_back(series);
-  }
+  chart.Series = SeriesOf(result, scene, &ErrorRow::Relative);
   ChartLine front;
   front.Name = "Pareto front";
   for (const ErrorRow& row : ParetoFront(result.Rows, scene))
@@ -187,17 +200,7 @@ ChartDescription ChartOfStep(const ErrorStudyResult& result, const std::string& 
   chart.Title = scene + ": error over step, " + OrderInWords(result.Rows, scene);
   chart.XTitle = "step, voxels";
   chart.YTitle = "RMSE, grey levels of 255";
-  for (const StudyVariant& variant : GetStudyVariants())
-  {
-    ChartSeries series;
-    series.Name = variant.Name;
-    for (const ErrorRow& row : RowsOf(result.Rows, scene, variant.Name))
-    {
-      series.X.push_back(row.Step);
-      series.Y.push_back(row.Error.RootMeanSquare);
-    }
-    chart.Series.push_back(series);
-  }
+  chart.Series = SeriesOf(result, scene, &ErrorRow::Step);
   const auto rays = RowsOf(result.Rows, scene, Rays);
   if (rays.size() > 1)
   {

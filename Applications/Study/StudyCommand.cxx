@@ -2,6 +2,7 @@
 
 #include "ErrorReport.h"
 #include "InputError.h"
+#include "ProgramArguments.h"
 #include "ProgramFolder.h"
 #include "ProgressLine.h"
 #include "SceneFile.h"
@@ -53,18 +54,9 @@ std::optional<StudyWords> ParseWords(int argc, char* argv[])
     .add_option("--data", words.Fetched, "Folder of the fetched volumes, for speed [Data/fetched]")
     ->type_name("FOLDER");
   program.add_flag("--full", words.Full, "The whole grid, however long it takes");
-  try
+  if (!ParseArguments(program, argc, argv))
   {
-    program.parse(argc, argv);
-  }
-  catch (const CLI::Success& answer)
-  {
-    program.exit(answer, std::cout, std::cerr);
     return std::nullopt;
-  }
-  catch (const CLI::Error& error)
-  {
-    throw InputError(std::string(error.what()) + "; penumbra-study --help tells the usage");
   }
   return words;
 }
