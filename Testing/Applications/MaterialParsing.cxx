@@ -1,6 +1,6 @@
 #include "Catch.h"
 
-#include "InputError.h"
+#include "Refusal.h"
 #include "SceneDefaults.h"
 #include "SceneMaterial.h"
 #include "SceneParser.h"
@@ -29,15 +29,7 @@ SceneDescription Parse(const std::string& members, const std::string& folder = "
 
 std::string MessageOf(const std::string& members)
 {
-  try
-  {
-    Parse(members);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return {};
+  return RefusalOf([&] { Parse(members); });
 }
 
 const std::string EveryKey = R"("material": { "model": "cook-torrance", "ambient": 0.25,
@@ -175,15 +167,7 @@ TEST_CASE("Images of surroundings that cannot be are refused by name")
     const auto scene =
       Parse(R"("material": { "model": "reflection-map", "environmentMap": ")" + name + "\" }",
         folder.PathOf(""));
-    try
-    {
-      ReadEnvironmentImages(scene.Material);
-    }
-    catch (const InputError& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    return RefusalOf([&] { ReadEnvironmentImages(scene.Material); });
   };
   CHECK_THAT(messageOf("none.png"), ContainsSubstring("there is no file"));
   CHECK_THAT(messageOf("text.txt"), ContainsSubstring("no image that is known"));

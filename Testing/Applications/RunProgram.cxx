@@ -42,4 +42,9 @@ std::string ReadAll(const std::string& file)
   std::ifstream stream(file, std::ios::binary);
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
+
+bool IsOneLine(const std::string& text)
+{
+  return text.size() > 1 && text.find('\n') == text.size() - 1;
+}
 }

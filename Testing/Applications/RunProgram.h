@@ -26,6 +26,9 @@ ProgramResult RunProgram(const std::vector<std::string>& command);
 ProgramResult RunPenumbraRender(const std::vector<std::string>& arguments);
 
 std::string ReadAll(const std::string& file);
+
+/// As a message on stderr is to be.
+bool IsOneLine(const std::string& text);
 }
 
 #endif

@@ -1,6 +1,6 @@
 #include "Catch.h"
 
-#include "InputError.h"
+#include "Refusal.h"
 #include "SceneFile.h"
 #include "SceneParser.h"
 
@@ -19,28 +19,13 @@ SceneDescription Parse(const std::string& members)
 
 std::string MessageOf(const std::string& members)
 {
-  try
-  {
-    Parse(members);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return {};
+  return RefusalOf([&] { Parse(members); });
 }
 
 std::string RawMessageOf(const std::string& members)
 {
-  try
-  {
-    ParseScene(ParseJson(R"({ "volume": { "file": "v.raw", )" + members + "} }"), "/folder");
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return {};
+  return RefusalOf([&]
+    { ParseScene(ParseJson(R"({ "volume": { "file": "v.raw", )" + members + "} }"), "/folder"); });
 }
 }
 

@@ -1,39 +1,21 @@
 #include "Catch.h"
-#include "ShadowedVolume.h"
+#include "PartlyHidden.h"
 
 #include <vtkMatrix4x4.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 
 #include <algorithm>
-#include <cmath>
 
 using namespace penumbra;
 
 namespace
 {
-constexpr double Extinction = 0.1;
-constexpr double Rounding = 2e-6;
-
-VolumeGrid MakeGrid()
-{
-  VolumeGrid grid;
-  grid.dimensions = { 9, 8, 17 };
-  grid.spacing = { 1.0, 1.2, 0.5 };
-  grid.origin = { 2.0, -1.0, 3.0 };
-  return grid;
-}
-
 /// One directional light, from above unless a test says otherwise.
 void Light(ShadowedVolume& scene, const Point& towardsLight = { 0.0, 0.0, 1.0 })
 {
   scene.SetExtinction(Extinction);
   scene.AddDirectional(towardsLight);
-}
-
-double Dim(double length)
-{
-  return std::exp(-Extinction * std::max(length, 0.0));
 }
 
 vtkSmartPointer<vtkPlane> MakePlane(const Point& origin, const Point& normal)

@@ -1,5 +1,5 @@
 #include "Catch.h"
-#include "ShadowedVolume.h"
+#include "PartlyHidden.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,23 +8,6 @@ using namespace penumbra;
 
 namespace
 {
-constexpr double Extinction = 0.1;
-constexpr double Rounding = 2e-6;
-
-VolumeGrid MakeGrid()
-{
-  VolumeGrid grid;
-  grid.dimensions = { 9, 8, 17 };
-  grid.spacing = { 1.0, 1.2, 0.5 };
-  grid.origin = { 2.0, -1.0, 3.0 };
-  return grid;
-}
-
-double Dim(double length)
-{
-  return std::exp(-Extinction * std::max(length, 0.0));
-}
-
 double GetHidden(double z, double low, double high)
 {
   return high - std::clamp(z, low, high);
