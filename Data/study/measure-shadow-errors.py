@@ -5,8 +5,8 @@ usage: measure-shadow-errors.py PENUMBRA_RENDER FOLDER   FOLDER: bonsai.mhd, eng
 Writes ShadowErrors.inc and SteepShadowErrors.inc, which belong into Modules/Rendering.
 
 Errors are root mean squares over a picture of 256 x 256 pixels, in grey levels of 255, against rays of
-half the step. Those of a volume are divided by the ratio of the largest to the smallest spacing.
-None counts as less than that of thinner matter.
+half the step. Those of a volume are divided by how much longer than their smallest its texels are.
+None counts as less than that of matter that is thinner, down to a quarter of the optical depth.
 """
 import array, json, math, os, subprocess, sys, tempfile
 
@@ -16,10 +16,13 @@ SHAPES = {"fog": [[0, 0], [1, 0.03]], "soft": [[0, 0], [0.4, 0.06], [1, 0.3]],
           "bone": [[0, 0], [0.12, 0.35], [0.4, 0.75], [1, 0.95]], "opaque": [[0, 0], [0.02, 0.9], [1, 0.98]]}
 SCENES = [("engine", "fog"), ("engine", "soft"), ("engine", "dense"), ("bonsai", "dense"), ("engine", "bone"), ("engine", "opaque"), ("bonsai", "soft"),
           ("bonsai", "bone"), ("headsq", "soft"), ("headsq", "bone")]
+PLAIN = ["shadows.resolution=1", "shadows.nearSteps=0"]
 FINE = ["shadows.resolution=1", "shadows.nearSteps=4"]
 COARSE = ["shadows.resolution=0.5", "shadows.nearSteps=0"]
 MEDIUM = ["shadows.resolution=0.75", "shadows.nearSteps=0"]
-OPTIONS = [("rays", FINE), ("volume", COARSE), ("volume", MEDIUM), ("volume", FINE), ("deep-map", FINE)]
+OPTIONS = [("rays", FINE), ("volume", COARSE), ("volume", MEDIUM), ("deep-map", PLAIN), ("volume", FINE),
+           ("deep-map", FINE)]
+COUNT = len(OPTIONS)
 
 
 def run(scene, work, *settings):
@@ -60,20 +63,23 @@ for volume, shape in SCENES:
             for technique, settings in OPTIONS:
                 picture, _, _ = run(file, work, light, "shadows.technique=" + technique, f"shadows.sampleDistance={step}",
                                     *settings)
-                scale = max(spacing) / min(spacing) if technique == "volume" else 1.0
+                resolution = float(settings[0].split("=")[1])
+                ratio = max(spacing) / min(spacing)
+                scale = ratio if resolution >= 1 else max(ratio * resolution / 2, 1.0)
+                scale = scale if technique == "volume" else 1.0
                 found.append(max(rmse(picture, truth) / scale, 0.01))
             errors[shadow] = found
         depth = report["emptySpace"]["meanVoxelDepth"]
         lines[shape == "opaque"].append((depth, errors["soft"] + errors["hard"]))
 
 HEADS = {False: """// Made by Data/study/measure-shadow-errors.py. A scene a line: the optical depth over a voxel,
-// then errors of rays, coarse, medium and fine volume and deep map, of a soft shadow and of a hard one.
+// then errors of the options in their order, of a soft shadow and of a hard one.
 """, True: "// Made by Data/study/measure-shadow-errors.py, see ShadowErrors.inc.\n"}
 for steep, name in ((False, "ShadowErrors.inc"), (True, "SteepShadowErrors.inc")):
     with open(name, "w") as out:
         out.write(HEADS[steep])
-        largest = [0.0] * 10
-        for depth, errors in sorted(lines[steep]):
-            largest = [max(pair) for pair in zip(largest, errors)]
-            soft, hard = (", ".join(f"{error:.2f}" for error in largest[half:half + 5]) for half in (0, 5))
+        for depth, _ in sorted(lines[steep]):
+            near = [errors for other, errors in lines[steep] if depth / 4 <= other <= depth]
+            largest = [max(column) for column in zip(*near)]
+            soft, hard = (", ".join(f"{error:.2f}" for error in largest[half:half + COUNT]) for half in (0, COUNT))
             out.write(f"{{ {depth:.3f}, {{ {soft} }}, {{ {hard} }} }},\n")

@@ -10,7 +10,7 @@ namespace penumbra
 {
 namespace
 {
-constexpr std::size_t NumberOfOptions = 5;
+constexpr std::size_t NumberOfOptions = 6;
 
 // Of the options, in their order.
 using OptionErrors = std::array<double, NumberOfOptions>;
@@ -42,7 +42,8 @@ struct OptionSettings
 // In the order of the options.
 constexpr OptionSettings Settings[NumberOfOptions] = { { ShadowTechnique::Rays, 1.0, 0 },
   { ShadowTechnique::Volume, 0.5, 0 }, { ShadowTechnique::Volume, 0.75, 0 },
-  { ShadowTechnique::Volume, 1.0, 4 }, { ShadowTechnique::DeepMap, 1.0, 4 } };
+  { ShadowTechnique::DeepMap, 1.0, 0 }, { ShadowTechnique::Volume, 1.0, 4 },
+  { ShadowTechnique::DeepMap, 1.0, 4 } };
 
 const OptionSettings& GetSettings(ShadowOption option)
 {
@@ -82,6 +83,15 @@ double GetCountFactor(const ShadowChoiceTask& task)
   return std::sqrt(std::max(task.SoftLights + task.HardLights, 1));
 }
 
+// How many times as many texels of a volume a long voxel has as a short one (ShadowVolumePlan).
+double GetTexelRatio(const OptionSettings& settings, const ShadowChoiceTask& task)
+{
+  constexpr double mostOfLongVoxels = 2.0;
+  return settings.Resolution < 1.0
+    ? std::min(task.SpacingRatio, mostOfLongVoxels / settings.Resolution)
+    : 1.0;
+}
+
 // Samples of a pixel that are lit before what lies behind them is hidden.
 double CountLitSamples(const ShadowChoiceTask& task)
 {
@@ -103,9 +113,10 @@ double PredictShadowError(ShadowOption option, const ShadowChoiceTask& task)
     // Measured at steps of a voxel. Behind a jump in opacity the error falls no faster.
     return error * task.ShadowStep * GetCountFactor(task);
   }
-  // A volume's texels are as far apart as voxels.
-  const double coarseness =
-    GetSettings(option).Technique == ShadowTechnique::Volume ? task.SpacingRatio : 1.0;
+  const OptionSettings& settings = GetSettings(option);
+  const double coarseness = settings.Technique == ShadowTechnique::Volume
+    ? task.SpacingRatio / GetTexelRatio(settings, task)
+    : 1.0;
   return coarseness * error * GetCountFactor(task);
 }
 
@@ -131,7 +142,8 @@ double PredictShadowCost(ShadowOption option, const ShadowChoiceTask& task)
     return samples * (mapLookUp + settings.NearSteps) +
       lights * task.VoxelsAcross * task.VoxelsAcross * 4.0 * task.VoxelsAcross / pictures;
   }
-  const double texels = lights * task.Voxels * task.Occupied * std::pow(settings.Resolution, 3);
+  const double texels = lights * task.Voxels * task.Occupied * std::pow(settings.Resolution, 3) *
+    GetTexelRatio(settings, task);
   return samples * (volumeLookUp + settings.NearSteps) + texels * 2.0 * ray / pictures;
 }
 
@@ -157,8 +169,8 @@ ShadowChoice ChooseShadowTechnique(const ShadowChoiceTask& task)
     return aWithin ? cost(a) < cost(b) : error(a) < error(b);
   };
   constexpr std::array<ShadowOption, NumberOfOptions> options = { ShadowOption::Rays,
-    ShadowOption::CoarseVolume, ShadowOption::MediumVolume, ShadowOption::FineVolume,
-    ShadowOption::DeepMap };
+    ShadowOption::CoarseVolume, ShadowOption::MediumVolume, ShadowOption::DeepMap,
+    ShadowOption::MarchedVolume, ShadowOption::MarchedDeepMap };
   choice.Option = *std::min_element(options.begin(), options.end(), cheaper);
   const OptionSettings& settings = GetSettings(choice.Option);
   choice.Technique = settings.Technique;

@@ -39,14 +39,16 @@ struct ShadowChoiceTask
 };
 
 /// What there is to choose from: rays; volumes of a half and of three quarters of the data's
-/// resolution; one of its full resolution, or deep maps, with the first steps marched.
+/// resolution, and deep maps; a volume of its full resolution, and deep maps, with the first steps
+/// marched.
 enum class ShadowOption
 {
   Rays,
   CoarseVolume,
   MediumVolume,
-  FineVolume,
-  DeepMap
+  DeepMap,
+  MarchedVolume,
+  MarchedDeepMap
 };
 
 struct ShadowChoice

@@ -24,8 +24,12 @@ ShadowVolumePlan PlanVolume(
   ShadowVolumeTask task;
   for (int axis = 0; axis < 3; ++axis)
   {
-    task.Voxels[axis] =
-      (placement.BoxHigh[axis] - placement.BoxLow[axis]) * placement.Dimensions[axis];
+    const double voxels = placement.Dimensions[axis];
+    task.Voxels[axis] = (placement.BoxHigh[axis] - placement.BoxLow[axis]) * voxels;
+    Vector3 edge{};
+    edge[axis] = 1.0 / voxels;
+    task.VoxelEdges[axis] =
+      GetLength(MultiplyDirection(placement.TextureToOwn, edge)) / placement.SmallestSpacing;
   }
   task.Resolution = settings.Resolution;
   task.Lights = static_cast<int>(scene.ShadowCasters.size());

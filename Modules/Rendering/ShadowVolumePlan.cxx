@@ -14,14 +14,21 @@ int CountBlocks(int lights)
   return (lights + LightsPerBlock - 1) / LightsPerBlock;
 }
 
+double GetTexelsPerVoxel(const ShadowVolumeTask& task, double resolution, int axis)
+{
+  constexpr double mostOfLongVoxels = 2.0;
+  return resolution < 1.0 ? std::min(resolution * task.VoxelEdges[axis], mostOfLongVoxels)
+                          : resolution;
+}
+
 void SetResolution(const ShadowVolumeTask& task, double resolution, ShadowVolumePlan& plan)
 {
   plan.Resolution = resolution;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double texels =
-      std::min(std::round(resolution * task.Voxels[axis]) + 1.0, 1.0 * task.LargestSize);
-    plan.Texels[axis] = std::max(static_cast<int>(texels), 2);
+      std::round(GetTexelsPerVoxel(task, resolution, axis) * task.Voxels[axis]) + 1.0;
+    plan.Texels[axis] = static_cast<int>(std::clamp(texels, 2.0, 1.0 * task.LargestSize));
   }
 }
 

@@ -6,7 +6,8 @@ using namespace penumbra;
 namespace
 {
 constexpr ShadowOption Options[] = { ShadowOption::Rays, ShadowOption::CoarseVolume,
-  ShadowOption::MediumVolume, ShadowOption::FineVolume, ShadowOption::DeepMap };
+  ShadowOption::MediumVolume, ShadowOption::DeepMap, ShadowOption::MarchedVolume,
+  ShadowOption::MarchedDeepMap };
 
 // A bone-like volume of 256^3 on 512 x 512 pixels, a tenth of it occupied.
 ShadowChoiceTask MakeTask()
@@ -71,13 +72,17 @@ TEST_CASE("A large volume on a small picture is not worth a volume of shadows")
   CHECK(ChooseShadowTechnique(task).Technique != ShadowTechnique::Volume);
 }
 
-TEST_CASE("Coarse slices count against a volume, whose texels stand at the voxels")
+TEST_CASE("Coarse slices count against a volume, as far as its texels are no coarser themselves")
 {
   ShadowChoiceTask task = MakeTask();
-  const double even = PredictShadowError(ShadowOption::FineVolume, task);
+  const double even = PredictShadowError(ShadowOption::MarchedVolume, task);
+  const double coarse = PredictShadowError(ShadowOption::CoarseVolume, task);
   const double map = PredictShadowError(ShadowOption::DeepMap, task);
   task.SpacingRatio = 3.0;
-  CHECK(PredictShadowError(ShadowOption::FineVolume, task) == Approx(3.0 * even));
+  CHECK(PredictShadowError(ShadowOption::MarchedVolume, task) == Approx(3.0 * even));
+  CHECK(PredictShadowError(ShadowOption::CoarseVolume, task) == Approx(coarse));
+  task.SpacingRatio = 6.0;
+  CHECK(PredictShadowError(ShadowOption::CoarseVolume, task) == Approx(1.5 * coarse));
   CHECK(PredictShadowError(ShadowOption::DeepMap, task) == map);
 }
 
@@ -92,7 +97,7 @@ TEST_CASE(
   CHECK(coarse.Resolution == 0.5);
   CHECK(coarse.NearSteps == 0);
   const double error = PredictShadowError(ShadowOption::CoarseVolume, task);
-  REQUIRE(PredictShadowError(ShadowOption::FineVolume, task) < error);
+  REQUIRE(PredictShadowError(ShadowOption::MarchedVolume, task) < error);
   task.Tolerance = 0.999 * error;
   CHECK(ChooseShadowTechnique(task).Option != ShadowOption::CoarseVolume);
 }
