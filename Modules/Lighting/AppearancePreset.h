@@ -12,7 +12,7 @@
  *   and "scale", what the first number of each point is: "scalars" (Hounsfield units, for CT),
  *   "percentiles" (0 to 100, of the values above the background), "percentiles-of-all" (of all
  *   values) or "threshold" (0: the threshold found from the histogram; 1: the highest value; -1:
- * the lowest). Except for scalars, the unit distance is in 400ths of the volume's diagonal.
+ *   the lowest). Except for scalars, the unit distance is in 400ths of the volume's diagonal.
  * - "material", "lights": as in a scene.
  */
 

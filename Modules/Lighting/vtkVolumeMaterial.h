@@ -17,8 +17,8 @@
  * - BlinnPhong (Blinn 1977): F_s = (N.H)^n.
  * - OrenNayar (Oren and Nayar 1994), rough matt surfaces: F_d = N.L (A + B max(0, cos C) sin a
  *   tan b), A = 1 - 0.5 s^2/(s^2+0.33), B = 0.45 s^2/(s^2+0.09), s the Roughness, a and b the
- * larger and the smaller of the angles from N to L and to V, C the difference of their azimuths;
- * F_s = 0.
+ *   larger and the smaller of the angles from N to L and to V, C the difference of their azimuths;
+ *   F_s = 0.
  * - Ward (1992), isotropic: F_s = sqrt(N.L/N.V) exp(-tan^2 g / s^2) / (4 pi s^2).
  * - WardAnisotropic (Ward 1992), brushed surfaces: F_s = sqrt(N.L/N.V) exp(-tan^2 g (cos^2 p / sx^2
  *   + sin^2 p / sy^2)) / (4 pi sx sy), p the angle from the PreferredDirection's projection on the

@@ -1,5 +1,5 @@
 /**
- * @class   XmlVoxels
+ * @file    XmlVoxelChecks.h
  * @brief   where the voxels of a VTK XML file are, and whether they can be read
  */
 

@@ -1,4 +1,7 @@
-// OpenGL's names, from the loader that this VTK was built with.
+/**
+ * @file    OpenGLEnumerants.h
+ * @brief   OpenGL's names, from the loader that this VTK was built with
+ */
 
 #ifndef OpenGLEnumerants_h
 #define OpenGLEnumerants_h

@@ -95,9 +95,10 @@ bool VolumeDrawing::Gather(
 }
 
 //------------------------------------------------------------------------------
-VolumeDrawing::Result VolumeDrawing::Draw(
+std::string VolumeDrawing::Draw(
   vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance)
 {
+  const char* const noProgram = "The volume is not drawn: its shader program could not be built.";
   this->Scene = &scene;
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->Gathering = scene.Plan.Draws > 1 || imageSampleDistance != 1.0;
@@ -108,7 +109,7 @@ VolumeDrawing::Result VolumeDrawing::Draw(
   if (!this->UpdateShadows())
   {
     this->Textures.Deactivate();
-    return Result::NoProgram;
+    return noProgram;
   }
   this->Environment.Activate(this->Window);
   for (ShadowCache* cache : this->GetCaches())
@@ -135,9 +136,10 @@ VolumeDrawing::Result VolumeDrawing::Draw(
   this->Scene = nullptr;
   if (!gathered)
   {
-    return Result::NoFloatFramebuffer;
+    return "The volume is not drawn: the picture is made in parts, which needs a float framebuffer "
+           "that the graphics card does not have.";
   }
-  return this->Pass->GetProgramFailed() ? Result::NoProgram : Result::Drawn;
+  return this->Pass->GetProgramFailed() ? noProgram : "";
 }
 
 //------------------------------------------------------------------------------

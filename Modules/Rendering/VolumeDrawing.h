@@ -9,14 +9,18 @@
 #include "AccumulationBuffer.h"
 #include "DrawnScene.h"
 #include "EnvironmentTextures.h"
-#include "IlluminationPass.h"
 #include "ShadowMaps.h"
 #include "ShadowVolume.h"
 #include "StandInBox.h"
 #include "VolumeTextures.h"
+#include "vtkIlluminationPass.h"
 
 #include "vtkNew.h"
 #include "vtkWeakPointer.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -38,16 +42,9 @@ class VolumeDrawing
 public:
   VolumeDrawing();
 
-  enum class Result
-  {
-    Drawn,
-    NoProgram,         ///< the shader did not compile or link
-    NoFloatFramebuffer ///< a picture of several draws or of fewer pixels has nowhere to be gathered
-  };
-
   /// Draws with the textures as they are loaded. imageSampleDistance: pixels of the viewport per
-  /// ray.
-  Result Draw(vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance);
+  /// ray. Empty, or why the volume is not drawn: one sentence.
+  std::string Draw(vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance);
 
   VolumeTextures& GetTextures() { return this->Textures; }
   const VolumeTextures& GetTextures() const { return this->Textures; }

@@ -324,17 +324,11 @@ void vtkIlluminatedVolumeMapper::MoveTo(vtkOpenGLRenderWindow* window)
 void vtkIlluminatedVolumeMapper::Draw(vtkRenderer* renderer)
 {
   Internals& internal = *this->Internal;
-  switch (internal.Drawing.Draw(renderer, internal.Scene, internal.ImageSampleDistance))
+  const std::string fault =
+    internal.Drawing.Draw(renderer, internal.Scene, internal.ImageSampleDistance);
+  if (!fault.empty())
   {
-    case VolumeDrawing::Result::NoProgram:
-      vtkErrorMacro("The volume is not drawn: its shader program could not be built.");
-      break;
-    case VolumeDrawing::Result::NoFloatFramebuffer:
-      vtkErrorMacro("The volume is not drawn: the picture is made in parts, which needs a float "
-                    "framebuffer that the graphics card does not have.");
-      break;
-    case VolumeDrawing::Result::Drawn:
-      break;
+    vtkErrorMacro(<< fault);
   }
 }
 
@@ -356,23 +350,39 @@ void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   static const char* const techniques[] = { "Auto", "Rays", "Volume", "Map", "DeepMap" };
-  os << indent << "ShadowTechnique: " << techniques[this->ShadowTechnique] << "\n";
-  os << indent << "ShadowTolerance: " << this->ShadowTolerance << "\n";
-  os << indent << "ShadowResolution: " << this->ShadowResolution << "\n";
-  os << indent << "ShadowNearSteps: " << this->ShadowNearSteps << "\n";
-  os << indent << "ShadowMemoryLimit: " << this->ShadowMemoryLimit << "\n";
-  os << indent << "ShadowBytes: " << this->GetShadowBytes() << "\n";
-  os << indent << "ShadowSampleDistance: " << this->ShadowSampleDistance << "\n";
-  os << indent << "GradientEstimator: " << this->GradientEstimator << "\n";
-  os << indent << "GradientTextureBits: " << this->GradientTextureBits << "\n";
-  os << indent << "GradientTextureBytes: " << this->GetGradientTextureBytes() << "\n";
-  os << indent << "SkipEmptySpace: " << this->SkipEmptySpace << "\n";
-  os << indent << "NumberOfBricks: " << this->GetNumberOfBricks() << "\n";
-  os << indent << "NumberOfOccupiedBricks: " << this->GetNumberOfOccupiedBricks() << "\n";
-  os << indent << "OpticalModel: " << this->OpticalModel << "\n";
-  os << indent << "ActualSampleDistance: " << this->GetActualSampleDistance() << "\n";
-  os << indent << "ActualShadowSampleDistance: " << this->GetActualShadowSampleDistance() << "\n";
-  os << indent << "ActualImageSampleDistance: " << this->GetActualImageSampleDistance() << "\n";
-  os << indent << "NumberOfDraws: " << this->GetNumberOfDraws() << "\n";
-  os << indent << "NumberOfShaderBuilds: " << this->GetNumberOfShaderBuilds() << "\n";
+  static const char* const estimators[] = { "CentralDifferences", "ForwardDifferences",
+    "BackwardDifferences", "Sobel" };
+  static const char* const models[] = { "ByShade", "Absorption", "Emission", "AbsorptionEmission",
+    "SingleScattering" };
+  const auto print = [&](const char* name, const auto& value)
+  { os << indent << name << ": " << value << "\n"; };
+  print("ShadowTechnique", techniques[this->ShadowTechnique]);
+  print("ShadowTolerance", this->ShadowTolerance);
+  print("ShadowResolution", this->ShadowResolution);
+  print("ShadowNearSteps", this->ShadowNearSteps);
+  print("ShadowMemoryLimit", this->ShadowMemoryLimit);
+  print("ShadowSampleDistance", this->ShadowSampleDistance);
+  print("GradientEstimator", estimators[this->GradientEstimator]);
+  print("GradientTextureBits", this->GradientTextureBits);
+  print("SkipEmptySpace", this->SkipEmptySpace ? "On" : "Off");
+  print("OpticalModel", models[this->OpticalModel]);
+  print("ShadowTechniqueReason", this->GetShadowTechniqueReason());
+  print("ShadowBytes", this->GetShadowBytes());
+  print("ActualShadowResolution", this->GetActualShadowResolution());
+  print("ActualShadowNearSteps", this->GetActualShadowNearSteps());
+  print("NumberOfShadowUpdates", this->GetNumberOfShadowUpdates());
+  print("ShadowUpdateSeconds", this->GetShadowUpdateSeconds());
+  print("GradientTextureBytes", this->GetGradientTextureBytes());
+  print("GradientTextureLargestError", this->GetGradientTextureLargestError());
+  print("GradientTextureAngularError", this->GetGradientTextureAngularError());
+  print("NumberOfBricks", this->GetNumberOfBricks());
+  print("NumberOfOccupiedBricks", this->GetNumberOfOccupiedBricks());
+  print("BrickEdge", this->GetBrickEdge());
+  print("MeanVoxelDepth", this->GetMeanVoxelDepth());
+  print("ActualSampleDistance", this->GetActualSampleDistance());
+  print("ActualShadowSampleDistance", this->GetActualShadowSampleDistance());
+  print("ActualImageSampleDistance", this->GetActualImageSampleDistance());
+  print("NumberOfDraws", this->GetNumberOfDraws());
+  print("NumberOfShaderBuilds", this->GetNumberOfShaderBuilds());
+  print("NumberOfMessages", this->GetMessages().size());
 }

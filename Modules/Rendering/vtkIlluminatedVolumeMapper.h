@@ -28,9 +28,13 @@
  * requirements share one program.
  *
  * What this mapper does not take over (blend modes other than composite, several components, label
- * maps, two-dimensional transfer functions, blanking, cell data, rectilinear grids, multi-volume,
- * render to image, picking, depth peeling of volumes) it leaves to its superclass, and says so
- * once.
+ * maps, two-dimensional transfer functions, clipped voxel intensity, blanking, cell data,
+ * rectilinear grids, multi-volume, render to image, the depth pass, final colour window and level,
+ * picking, depth peeling of volumes) it leaves to its superclass, and says so once.
+ *
+ * What cannot be drawn (a matrix or a projection without an inverse, a volume that the graphics
+ * card cannot hold, a program that does not build) is an error of one line through vtkErrorMacro,
+ * and that volume is not drawn. What is drawn otherwise than asked is told by GetMessages().
  *
  * @sa vtkVolumeLight vtkVolumeMaterial
  */
@@ -106,8 +110,8 @@ public:
 
   ///@{
   /**
-   * Root mean square error of the picture, in grey levels of 255, that Auto may accept. Range: 0 or
-   * more. Default: 1.
+   * Root mean square error of the picture, in grey levels of 255, that Auto may accept. Range: 0 to
+   * 255. Default: 1.
    */
   vtkSetClampMacro(ShadowTolerance, double, 0.0, 255.0);
   vtkGetMacro(ShadowTolerance, double);
@@ -122,7 +126,7 @@ public:
   /**
    * Texels of kept shadows to a voxel along each axis. 1 has the resolution of the data. It falls
    * where the memory limit or OpenGL's largest texture ask for it, and a message says so. Range:
-   * more than 0. Default: 1.
+   * 0.001 to 16. Default: 1.
    */
   vtkSetClampMacro(ShadowResolution, double, 1e-3, 16.0);
   vtkGetMacro(ShadowResolution, double);
@@ -132,7 +136,7 @@ public:
   /**
    * With kept shadows, the first steps of a sample's shadow ray are marched and what is kept counts
    * beyond them only: matter changes fastest where the sample is. Auto chooses, and chooses a
-   * resolution that may be below ShadowResolution too. Range: 0 or more. Default: 4.
+   * resolution that may be below ShadowResolution too. Range: 0 to 1024. Default: 4.
    */
   vtkSetClampMacro(ShadowNearSteps, int, 0, 1024);
   vtkGetMacro(ShadowNearSteps, int);
@@ -161,11 +165,11 @@ public:
 
   ///@{
   /**
-   * Length of a shadow ray's step in the volume's own coordinates. 0 or less: twice the sample
-   * distance of the view rays. Default: 0.
+   * Length of a shadow ray's step in the volume's own coordinates. What is no length (0 or less,
+   * NaN, 1e30 or more): twice the sample distance of the view rays. Default: 0.
    *
-   * The view rays' step is SampleDistance, inherited; here 0 or less, the default, stands for half
-   * the smallest voxel spacing.
+   * The view rays' step is SampleDistance, inherited; here what is no length, as 0, the default,
+   * stands for half the smallest voxel spacing.
    */
   vtkSetMacro(ShadowSampleDistance, double);
   vtkGetMacro(ShadowSampleDistance, double);

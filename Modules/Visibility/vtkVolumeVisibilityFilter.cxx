@@ -234,7 +234,9 @@ void vtkVolumeVisibilityFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ClippingPlanes: " << this->ClippingPlanes << "\n";
   os << indent << "Cropping: " << (this->Cropping ? "On" : "Off") << "\n";
   print("CroppingRegionPlanes", this->CroppingRegionPlanes, 6);
-  os << indent << "GradientEstimator: " << this->GradientEstimator << "\n";
+  static const char* const estimators[] = { "CentralDifferences", "ForwardDifferences",
+    "BackwardDifferences", "Sobel" };
+  os << indent << "GradientEstimator: " << estimators[this->GradientEstimator] << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
   print("OutputDimensions", this->OutputDimensions, 3);

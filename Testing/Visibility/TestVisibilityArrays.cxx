@@ -107,7 +107,7 @@ TEST_CASE("A visibility filter prints every member")
   scene.Filter->Print(text);
   for (const char* line : { "VolumeProperty: 0x", "Lights: ", "CameraDirection: 0 0 -1\n",
          "Matrix: ", "ClippingPlanes: ", "Cropping: Off\n", "CroppingRegionPlanes: 1 2 3 4 5 6\n",
-         "GradientEstimator: 0\n", "SampleDistance: 0\n", "Resolution: 1\n",
+         "GradientEstimator: CentralDifferences\n", "SampleDistance: 0\n", "Resolution: 1\n",
          "OutputDimensions: 7 8 9\n", "NegligibleVisibility: 0\n", "PackArrays: On\n" })
   {
     CHECK_THAT(text.str(), Catch::Matchers::ContainsSubstring(line));

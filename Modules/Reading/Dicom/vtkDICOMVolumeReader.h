@@ -25,11 +25,11 @@
  * - Voxels of the padding value, or within the padding range, get the lowest value of all others,
  *   unless their own is just below it (by a twentieth of the range of the others or less).
  * - MONOCHROME1 says that small values are shown bright. Values that have a unit (CT, PET, doses,
- * or by Rescale Type) are kept; others are turned over within their stored bits.
+ *   or by Rescale Type) are kept; others are turned over within their stored bits.
  *
- * What of this was done is told in GetWarnings, with numbers. What cannot be read so is
- * refused: colour images, images without pixels, frames that are moments in time, mosaics, pixels
- * of one bit or of floating point, values that go through a Modality LUT.
+ * What of this was done is told in GetWarnings, with numbers. What cannot be read so is refused:
+ * colour images, images without pixels, frames that are moments in time, mosaics, pixels of one bit
+ * or of floating point, values that go through a Modality LUT.
  *
  * GDCM ends the process on some malformed files. With SetParserProgram all parsing is done by that
  * program, in a process of its own with limits; a file that it fails on is left out, or where it is

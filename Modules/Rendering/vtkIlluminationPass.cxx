@@ -1,4 +1,4 @@
-#include "IlluminationPass.h"
+#include "vtkIlluminationPass.h"
 
 #include "ShaderSource.h"
 

@@ -7,8 +7,8 @@
  * newer, and for uniforms on every draw.
  */
 
-#ifndef IlluminationPass_h
-#define IlluminationPass_h
+#ifndef vtkIlluminationPass_h
+#define vtkIlluminationPass_h
 
 #include "LightingRequirements.h"
 
