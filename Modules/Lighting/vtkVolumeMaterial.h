@@ -31,6 +31,8 @@
  *   cosine and by its SpecularPower'th power, R the direction to the eye mirrored at N. It casts no
  *   shadows.
  *
+ * Numbers that are not finite count as their defaults.
+ *
  * @sa vtkIlluminatedVolumeMapper vtkVolumeLight
  */
 
@@ -111,7 +113,8 @@ public:
   ///@{
   /**
    * The direction in which an anisotropic surface is brushed, in the volume's own frame (before the
-   * actor's matrix, which turns it), of any length but 0. Default: (1, 0, 0).
+   * actor's matrix, which turns it), of any length but 0. One of length 0 shows as (1, 0, 0).
+   * Default: (1, 0, 0).
    */
   vtkSetVector3Macro(PreferredDirection, double);
   vtkGetVector3Macro(PreferredDirection, double);
@@ -147,8 +150,9 @@ public:
 
   ///@{
   /**
-   * Index of refraction of Cook and Torrance's model for red, green and blue, more than 0. At
-   * normal incidence the reflectance is ((n-1)/(n+1))^2. Default: 1.5 each.
+   * Index of refraction of Cook and Torrance's model for red, green and blue, more than 0;
+   * less than 0.001 counts as 0.001. At normal incidence the reflectance is ((n-1)/(n+1))^2.
+   * Default: 1.5 each.
    */
   vtkSetVector3Macro(IndexOfRefraction, double);
   vtkGetVector3Macro(IndexOfRefraction, double);

@@ -110,7 +110,7 @@ public:
   ///@{
   /**
    * Seconds that the parser program may spend on one file, and one more for each MiB of it.
-   * Default: 8.
+   * Range: 0.01 to 1e6. Default: 8.
    */
   vtkSetClampMacro(TimeLimit, double, 0.01, 1e6);
   vtkGetMacro(TimeLimit, double);
