@@ -5,7 +5,7 @@
 #include "RenderingForm.h"
 #include "SceneDocument.h"
 #include "ScrollableArea.h"
-#include "TransferFunctionChart.h"
+#include "TransferFunctionPanel.h"
 
 #include <QScrollArea>
 #include <QSplitter>
@@ -18,14 +18,14 @@ namespace penumbra
 AppearancePanel::AppearancePanel(SceneDocument* document, VolumeView* view, QWidget* parent)
   : QWidget(parent)
   , Presets(new PresetPanel(document, view, this))
-  , Chart(new TransferFunctionChart(document, this))
+  , TransferFunction(new TransferFunctionPanel(document, this))
 {
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(6, 6, 6, 6);
   auto* const splitter = new QSplitter(Qt::Vertical, this);
   splitter->setChildrenCollapsible(false);
   splitter->addWidget(this->Presets);
-  splitter->addWidget(this->Chart);
+  splitter->addWidget(this->TransferFunction);
   auto* const material = new PropertyForm(document, this);
   FillMaterialForm(material, document);
   material->Refresh();

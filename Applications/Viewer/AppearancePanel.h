@@ -13,7 +13,7 @@ namespace penumbra
 
 class PresetPanel;
 class SceneDocument;
-class TransferFunctionChart;
+class TransferFunctionPanel;
 class VolumeView;
 
 class AppearancePanel : public QWidget
@@ -23,11 +23,11 @@ public:
   AppearancePanel(SceneDocument* document, VolumeView* view, QWidget* parent = nullptr);
 
   PresetPanel* GetPresets() { return this->Presets; }
-  TransferFunctionChart* GetChart() { return this->Chart; }
+  TransferFunctionPanel* GetTransferFunction() { return this->TransferFunction; }
 
 private:
   PresetPanel* Presets;
-  TransferFunctionChart* Chart;
+  TransferFunctionPanel* TransferFunction;
 };
 
 }

@@ -1,6 +1,7 @@
 #include "TransferFunctionChart.h"
 
 #include "ColorButton.h"
+#include "FunctionNodes.h"
 #include "PresetLook.h"
 #include "SceneDocument.h"
 #include "VolumeHistogram.h"
@@ -15,20 +16,12 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkColorTransferFunctionItem.h>
 #include <vtkCompositeTransferFunctionItem.h>
-#include <vtkContextActor.h>
-#include <vtkContextInteractorStyle.h>
-#include <vtkContextMouseEvent.h>
-#include <vtkContextScene.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkPen.h>
 #include <vtkPiecewiseControlPointsItem.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlotBar.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
 #include <vtkTable.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,66 +31,11 @@ namespace penumbra
 namespace
 {
 constexpr float ColorHeight = 26.0f;
-constexpr float AxisHeight = 22.0f;
-constexpr float Border = 18.0f;
-
-FunctionPoints<1> PointsOf(vtkPiecewiseFunction* function)
-{
-  FunctionPoints<1> points;
-  double node[4];
-  for (int i = 0; i < function->GetSize(); ++i)
-  {
-    function->GetNodeValue(i, node);
-    points.push_back({ node[0], std::clamp(node[1], 0.0, 1.0) });
-  }
-  return points;
-}
-
-FunctionPoints<3> PointsOf(vtkColorTransferFunction* function)
-{
-  FunctionPoints<3> points;
-  double node[6];
-  for (int i = 0; i < function->GetSize(); ++i)
-  {
-    function->GetNodeValue(i, node);
-    points.push_back({ node[0], std::clamp(node[1], 0.0, 1.0), std::clamp(node[2], 0.0, 1.0),
-      std::clamp(node[3], 0.0, 1.0) });
-  }
-  return points;
-}
-
-void Prepare(vtkChartXY* chart)
-{
-  chart->SetAutoSize(false);
-  chart->SetActionToButton(vtkChart::PAN, -1);
-  chart->SetActionToButton(vtkChart::ZOOM, -1);
-  chart->SetActionToButton(vtkChart::SELECT, -1);
-  chart->ZoomWithMouseWheelOff();
-  chart->SetForceAxesToBounds(true);
-  chart->SetLayoutStrategy(vtkChart::FILL_RECT);
-  chart->SetRenderEmpty(true);
-  chart->SetHiddenAxisBorder(0);
-}
-
-// The plots show the axes that they are added to.
-void HideAxes(vtkChartXY* chart)
-{
-  for (const int side : { vtkAxis::LEFT, vtkAxis::BOTTOM, vtkAxis::RIGHT, vtkAxis::TOP })
-  {
-    vtkAxis* axis = chart->GetAxis(side);
-    axis->SetTitle("");
-    axis->SetGridVisible(false);
-    axis->SetBehavior(vtkAxis::FIXED);
-    axis->SetAxisVisible(false);
-    axis->SetTicksVisible(false);
-    axis->SetLabelsVisible(false);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
 TransferFunctionChart::TransferFunctionChart(SceneDocument* document, QWidget* parent)
-  : QVTKOpenGLNativeWidget(parent)
+  : ChartView(parent)
   , Document(document)
 {
   this->setObjectName("transferFunctionChart");
@@ -107,35 +45,21 @@ TransferFunctionChart::TransferFunctionChart(SceneDocument* document, QWidget* p
     tr("Click: new point. Drag: move it. Delete: remove it. Double click on a colour "
        "point: its colour. Drag with the right button: move and stretch all."));
   this->setMinimumHeight(150);
-  this->Window->SetMultiSamples(0);
-  this->setRenderWindow(this->Window);
-  this->Window->AddRenderer(this->Renderer);
   this->MakeCharts();
-  vtkNew<vtkContextInteractorStyle> style;
-  style->SetScene(this->Actor->GetScene());
-  this->interactor()->SetInteractorStyle(style);
   this->Opacity->AddObserver(vtkCommand::ModifiedEvent, this, &TransferFunctionChart::TakeOpacity);
   this->Color->AddObserver(vtkCommand::ModifiedEvent, this, &TransferFunctionChart::TakeColor);
-  this->Renderer->AddObserver(vtkCommand::StartEvent, this, &TransferFunctionChart::ArrangeCharts);
   this->connect(document, &SceneDocument::opened, this, &TransferFunctionChart::ShowOpened);
   this->connect(document, &SceneDocument::changed, this, &TransferFunctionChart::ShowScene);
-  this->ApplyTheme();
 }
 
 //------------------------------------------------------------------------------
-TransferFunctionChart::~TransferFunctionChart()
-{
-  this->makeCurrent();
-  this->Window->RemoveRenderer(this->Renderer);
-}
+TransferFunctionChart::~TransferFunctionChart() = default;
 
 //------------------------------------------------------------------------------
 void TransferFunctionChart::MakeCharts()
 {
   this->Opacity->AllowDuplicateScalarsOn();
   this->Color->AllowDuplicateScalarsOn();
-  Prepare(this->OpacityChart);
-  Prepare(this->ColorChart);
   vtkNew<vtkCompositeTransferFunctionItem> filled;
   filled->SetColorTransferFunction(this->Color);
   filled->SetOpacityFunction(this->Opacity);
@@ -152,50 +76,18 @@ void TransferFunctionChart::MakeCharts()
   this->ColorPoints->SetEndPointsRemovable(true);
   this->ColorChart->AddPlot(this->ColorPoints);
 
-  HideAxes(this->OpacityChart);
-  HideAxes(this->ColorChart);
-  this->OpacityChart->GetAxis(vtkAxis::BOTTOM)->SetTicksVisible(true);
-  this->OpacityChart->GetAxis(vtkAxis::BOTTOM)->SetLabelsVisible(true);
-  this->Actor->GetScene()->AddItem(this->OpacityChart);
-  this->Actor->GetScene()->AddItem(this->ColorChart);
-  this->Actor->GetScene()->SetRenderer(this->Renderer);
-  this->Renderer->AddActor(this->Actor);
+  this->AddChart(this->OpacityChart, true);
+  this->AddChart(this->ColorChart, false);
 }
 
 //------------------------------------------------------------------------------
-void TransferFunctionChart::ArrangeCharts()
+void TransferFunctionChart::ArrangeCharts(float width, float height, float ratio)
 {
-  const auto ratio = static_cast<float>(this->devicePixelRatioF());
-  const int* size = this->Window->GetSize();
-  const auto width = static_cast<float>(size[0]);
-  const auto height = static_cast<float>(size[1]);
   const float border = Border * ratio;
   const float colors = ColorHeight * ratio;
   const float below = border + colors + AxisHeight * ratio;
   this->ColorChart->SetSize({ border, border, width - 2.0f * border, colors });
   this->OpacityChart->SetSize({ border, below, width - 2.0f * border, height - below - border });
-}
-
-//------------------------------------------------------------------------------
-void TransferFunctionChart::ApplyTheme()
-{
-  const QColor back = this->palette().color(QPalette::Base);
-  const QColor text = this->palette().color(QPalette::Text);
-  this->Renderer->SetBackground(back.redF(), back.greenF(), back.blueF());
-  vtkAxis* axis = this->OpacityChart->GetAxis(vtkAxis::BOTTOM);
-  axis->GetLabelProperties()->SetColor(text.redF(), text.greenF(), text.blueF());
-  axis->GetPen()->SetColorF(text.redF(), text.greenF(), text.blueF());
-}
-
-//------------------------------------------------------------------------------
-void TransferFunctionChart::changeEvent(QEvent* event)
-{
-  QVTKOpenGLNativeWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange)
-  {
-    this->ApplyTheme();
-    this->Window->Render();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -235,27 +127,10 @@ void TransferFunctionChart::ShowScene()
 {
   const TransferFunctionDescription& function = this->Document->GetScene().TransferFunction;
   this->Showing = true;
-  if (PointsOf(this->Opacity) != *function.Opacity)
-  {
-    this->Opacity->RemoveAllPoints();
-    for (const auto& [x, y] : *function.Opacity)
-    {
-      this->Opacity->AddPoint(x, y);
-    }
-  }
-  if (PointsOf(this->Color) != *function.Color)
-  {
-    this->Color->RemoveAllPoints();
-    for (const auto& [x, red, green, blue] : *function.Color)
-    {
-      this->Color->AddRGBPoint(x, red, green, blue);
-    }
-  }
+  ShowPoints(*function.Opacity, this->Opacity);
+  ShowPoints(*function.Color, this->Color);
   this->Showing = false;
-  if (this->isValid())
-  {
-    this->Window->Render();
-  }
+  this->Draw();
 }
 
 //------------------------------------------------------------------------------
@@ -286,7 +161,7 @@ void TransferFunctionChart::TakeColor()
 void TransferFunctionChart::mousePressEvent(QMouseEvent* event)
 {
   this->LastPlace = event->localPos();
-  QVTKOpenGLNativeWidget::mousePressEvent(event);
+  ChartView::mousePressEvent(event);
 }
 
 //------------------------------------------------------------------------------
@@ -294,7 +169,7 @@ void TransferFunctionChart::mouseMoveEvent(QMouseEvent* event)
 {
   if (!(event->buttons() & Qt::RightButton) || !this->Document->IsOpen())
   {
-    QVTKOpenGLNativeWidget::mouseMoveEvent(event);
+    ChartView::mouseMoveEvent(event);
     return;
   }
   const QPointF moved = event->localPos() - this->LastPlace;
@@ -317,7 +192,7 @@ void TransferFunctionChart::mouseMoveEvent(QMouseEvent* event)
 //------------------------------------------------------------------------------
 void TransferFunctionChart::mouseDoubleClickEvent(QMouseEvent* event)
 {
-  QVTKOpenGLNativeWidget::mouseDoubleClickEvent(event);
+  ChartView::mouseDoubleClickEvent(event);
   if (event->localPos().y() > this->height() - ColorHeight - Border - AxisHeight / 2.0)
   {
     this->ChooseColor();

@@ -11,7 +11,7 @@
 #ifndef TransferFunctionChart_h
 #define TransferFunctionChart_h
 
-#include <QVTKOpenGLNativeWidget.h>
+#include "ChartView.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -19,12 +19,9 @@
 class vtkChartXY;
 class vtkColorTransferControlPointsItem;
 class vtkColorTransferFunction;
-class vtkContextActor;
-class vtkGenericOpenGLRenderWindow;
 class vtkImageData;
 class vtkPiecewiseControlPointsItem;
 class vtkPiecewiseFunction;
-class vtkRenderer;
 class vtkTable;
 
 namespace penumbra
@@ -32,7 +29,7 @@ namespace penumbra
 
 class SceneDocument;
 
-class TransferFunctionChart : public QVTKOpenGLNativeWidget
+class TransferFunctionChart : public ChartView
 {
   Q_OBJECT
 public:
@@ -46,12 +43,10 @@ protected:
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
-  void changeEvent(QEvent* event) override;
+  void ArrangeCharts(float width, float height, float ratio) override;
 
 private:
   void MakeCharts();
-  void ArrangeCharts();
-  void ApplyTheme();
   void ShowOpened();
   void ShowScene();
   void TakeOpacity();
@@ -59,9 +54,6 @@ private:
   void ChooseColor();
 
   SceneDocument* Document;
-  vtkNew<vtkGenericOpenGLRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkContextActor> Actor;
   vtkNew<vtkChartXY> OpacityChart;
   vtkNew<vtkChartXY> ColorChart;
   vtkNew<vtkPiecewiseFunction> Opacity;

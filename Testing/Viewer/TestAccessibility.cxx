@@ -24,6 +24,7 @@ bool IsQtsOwn(const QWidget* widget)
 {
   return widget->objectName().startsWith("qt_") || qobject_cast<const QScrollBar*>(widget) ||
     QString(widget->metaObject()->className()).startsWith("QComboBoxPrivate") ||
+    QString(widget->metaObject()->className()) == "QTableCornerButton" ||
     (widget->parentWidget() &&
       (qobject_cast<const QAbstractSpinBox*>(widget->parentWidget()) ||
         qobject_cast<const QComboBox*>(widget->parentWidget())));

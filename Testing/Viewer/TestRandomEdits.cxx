@@ -3,6 +3,7 @@
 #include "ImageComparison.h"
 #include "PresetPanel.h"
 #include "TransferFunctionChart.h"
+#include "TransferFunctionPanel.h"
 #include "ViewerSession.h"
 
 #include <QAction>
@@ -97,7 +98,8 @@ private:
 
   void MoveOpacityPoint()
   {
-    vtkPiecewiseFunction* opacity = this->Session.Window.GetAppearance()->GetChart()->GetOpacity();
+    vtkPiecewiseFunction* opacity =
+      this->Session.Window.GetAppearance()->GetTransferFunction()->GetChart()->GetOpacity();
     double node[4];
     const int point = this->Whole(opacity->GetSize());
     opacity->GetNodeValue(point, node);

@@ -3,6 +3,7 @@
 #include "ImageComparison.h"
 #include "PresetPanel.h"
 #include "TransferFunctionChart.h"
+#include "TransferFunctionPanel.h"
 #include "ViewerSession.h"
 
 #include <vtkColorTransferFunction.h>
@@ -36,7 +37,8 @@ TEST_CASE("Points that are moved in the chart change the scene, and undo moves t
 {
   AppearanceSession session;
   const auto before = session.TakePicture();
-  vtkPiecewiseFunction* opacity = session.Window.GetAppearance()->GetChart()->GetOpacity();
+  vtkPiecewiseFunction* opacity =
+    session.Window.GetAppearance()->GetTransferFunction()->GetChart()->GetOpacity();
   REQUIRE(opacity->GetSize() == 2);
   double node[4];
   opacity->GetNodeValue(1, node);
@@ -55,7 +57,8 @@ TEST_CASE("Colours of the chart are those of the picture")
 {
   AppearanceSession session;
   const auto before = session.TakePicture();
-  vtkColorTransferFunction* color = session.Window.GetAppearance()->GetChart()->GetColor();
+  vtkColorTransferFunction* color =
+    session.Window.GetAppearance()->GetTransferFunction()->GetChart()->GetColor();
   double node[6];
   color->GetNodeValue(1, node);
   node[1] = 0.0;

@@ -1,0 +1,93 @@
+#include "AppearancePanel.h"
+#include "Catch.h"
+#include "GradientOpacityChart.h"
+#include "ImageComparison.h"
+#include "PresetPanel.h"
+#include "TransferFunctionPanel.h"
+#include "ViewerSession.h"
+
+#include <QCheckBox>
+#include <QTableView>
+
+#include <vtkImageData.h>
+#include <vtkPiecewiseFunction.h>
+
+using namespace penumbra;
+
+namespace
+{
+// What an edit that is seen changes at least.
+constexpr double Seen = 2.0;
+
+struct GradientSession : ViewerSession
+{
+  GradientSession() { REQUIRE(this->Open(this->Files.File)); }
+
+  const std::optional<FunctionPoints<1>>& Function()
+  {
+    return this->Document.GetScene().TransferFunction.GradientOpacity;
+  }
+
+  void Switch() { this->Find<QCheckBox>("gradientSwitch")->click(); }
+
+  double ChangeSince(vtkImageData* before)
+  {
+    return CompareImages(before, this->TakePicture()).rmse;
+  }
+};
+}
+
+TEST_CASE("Opacity by gradient is switched on and off, and undone", "[gradient]")
+{
+  GradientSession session;
+  const auto before = session.TakePicture();
+  auto* const table = session.Find<QTableView>("Points of gradient opacity");
+  CHECK_FALSE(table->isEnabled());
+  session.Switch();
+  REQUIRE(session.Function());
+  CHECK(table->isEnabled());
+  CHECK(table->model()->rowCount() == 3);
+  CHECK(session.ChangeSince(before) > Seen);
+  session.Document.GetHistory()->undo();
+  CHECK_FALSE(session.Find<QCheckBox>("gradientSwitch")->isChecked());
+  CHECK(session.ChangeSince(before) == 0.0);
+  session.Document.GetHistory()->redo();
+  session.Switch();
+  CHECK_FALSE(session.Function());
+  CHECK(session.ChangeSince(before) == 0.0);
+}
+
+TEST_CASE("Opacity by gradient is edited in its chart and its table", "[gradient]")
+{
+  GradientSession session;
+  auto* const chart = session.Window.GetAppearance()->GetTransferFunction()->GetGradientChart();
+  session.Switch();
+  const auto before = session.TakePicture();
+  double node[4];
+  chart->GetFunction()->GetNodeValue(1, node);
+  node[1] = 0.3;
+  chart->GetFunction()->SetNodeValue(1, node);
+  CHECK((*session.Function())[1][1] == 0.3);
+  CHECK(session.ChangeSince(before) > Seen);
+  auto* const model = session.Find<QTableView>("Points of gradient opacity")->model();
+  CHECK(model->index(1, 1).data() == "0.3");
+  model->setData(model->index(1, 1), 0.7);
+  CHECK((*session.Function())[1][1] == 0.7);
+  chart->GetFunction()->GetNodeValue(1, node);
+  CHECK(node[1] == 0.7);
+}
+
+TEST_CASE(
+  "Opacity by gradient is in the saved scene, and a preset without it ends it", "[gradient]")
+{
+  GradientSession session;
+  session.Switch();
+  const auto picture = session.TakePicture();
+  const std::string saved = session.Files.PathOf("saved.json");
+  session.Window.Save(saved);
+  CHECK(CompareImages(picture, RenderScene(saved, session.Files)).rmse < 0.5); // 8-bit rounding
+  session.Window.GetAppearance()->GetPresets()->Apply("cloud", {});
+  CHECK_FALSE(session.Function());
+  REQUIRE(session.Open(saved));
+  CHECK(session.Find<QCheckBox>("gradientSwitch")->isChecked());
+}
