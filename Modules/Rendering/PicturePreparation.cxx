@@ -6,6 +6,7 @@
 #include "MaterialPreparation.h"
 #include "PictureRequest.h"
 #include "ShadowPreparation.h"
+#include "ShadowSettings.h"
 #include "StepPreparation.h"
 #include "TexturePreparation.h"
 #include "VolumeDrawing.h"
@@ -31,10 +32,7 @@ std::string PreparePicture(const PictureRequest& request, DrawnScene& scene,
   PrepareMaterial(request, scene, textures);
   PrepareGradients(request, scene, textures, messages);
   shadows = DecideShadows(request, scene, textures);
-  for (const std::string& message : PrepareShadows(shadows, request.Window, scene, drawing))
-  {
-    messages.push_back(message);
-  }
+  PrepareShadows(shadows, request.Window, scene, drawing, messages);
   PrepareSteps(GetSampleDistances(request.Mapper), shadows.NearSteps, scene, textures, messages);
   LookUpShadows(shadows, scene);
   scene.Matter = DescribeShadowingMatter(scene, textures, request.Property);

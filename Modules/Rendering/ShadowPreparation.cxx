@@ -1,5 +1,7 @@
 #include "ShadowPreparation.h"
 
+#include "DrawnScene.h"
+#include "ShadowSettings.h"
 #include "VolumeDrawing.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -108,10 +110,9 @@ void KeepNothing(vtkOpenGLRenderWindow* window, DrawnScene& scene, VolumeDrawing
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> PrepareShadows(const ShadowSettings& settings,
-  vtkOpenGLRenderWindow* window, DrawnScene& scene, VolumeDrawing& drawing)
+void PrepareShadows(const ShadowSettings& settings, vtkOpenGLRenderWindow* window,
+  DrawnScene& scene, VolumeDrawing& drawing, std::vector<std::string>& messages)
 {
-  std::vector<std::string> messages;
   scene.ShadowCasters.clear();
   if (settings.Technique != ShadowTechnique::Rays)
   {
@@ -126,7 +127,7 @@ std::vector<std::string> PrepareShadows(const ShadowSettings& settings,
   if (!room.Made || room.Lights == 0)
   {
     KeepNothing(window, scene, drawing);
-    return messages;
+    return;
   }
   scene.Requirements.NearShadowRays = settings.NearSteps > 0 || room.Lights < casters;
   scene.ShadowCasters.resize(room.Lights);
@@ -148,7 +149,6 @@ std::vector<std::string> PrepareShadows(const ShadowSettings& settings,
     messages.emplace_back(
       "A map of first hits tells hard shadows only; soft ones are kept as deep maps.");
   }
-  return messages;
 }
 
 //------------------------------------------------------------------------------

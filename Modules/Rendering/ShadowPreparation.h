@@ -6,9 +6,6 @@
 #ifndef ShadowPreparation_h
 #define ShadowPreparation_h
 
-#include "DrawnScene.h"
-#include "ShadowSettings.h"
-
 #include <string>
 #include <vector>
 
@@ -17,12 +14,14 @@ class vtkOpenGLRenderWindow;
 namespace penumbra
 {
 
+struct DrawnScene;
+struct ShadowSettings;
 class VolumeDrawing;
 
 /// Chooses what is kept of the scene's shadows and makes room for it, and tells the requirements.
-/// The messages say what could not be as asked.
-std::vector<std::string> PrepareShadows(const ShadowSettings& settings,
-  vtkOpenGLRenderWindow* window, DrawnScene& scene, VolumeDrawing& drawing);
+/// Messages say what could not be as asked, one sentence each.
+void PrepareShadows(const ShadowSettings& settings, vtkOpenGLRenderWindow* window,
+  DrawnScene& scene, VolumeDrawing& drawing, std::vector<std::string>& messages);
 
 /// Tells the lights where to look their shadows up, once the scene's steps are planned.
 void LookUpShadows(const ShadowSettings& settings, DrawnScene& scene);
