@@ -122,7 +122,7 @@ void MainWindow::MakePanels()
   this->AppearanceDock =
     this->AddPanel(tr("Appearance"), "appearanceDock", Qt::RightDockWidgetArea, this->Appearance);
   auto* const rendering = new PropertyForm(this->Document, this);
-  FillRenderingForm(rendering, this->Document);
+  FillRenderingForm(rendering, this->Document, this->View);
   this->Clipping = new ClippingHandles(this->Document, this->View, this);
   this->DragClipping = new QAction(tr("Drag the &clipping in the view"), this);
   this->DragClipping->setObjectName("dragClipping");

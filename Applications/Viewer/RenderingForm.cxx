@@ -1,7 +1,9 @@
 #include "RenderingForm.h"
 
 #include "PropertyForm.h"
+#include "QualityLabel.h"
 #include "SceneDocument.h"
+#include "StepFigures.h"
 #include "VolumeBox.h"
 
 #include <QFileDialog>
@@ -11,7 +13,6 @@
 #include <vtkImageData.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace penumbra
 {
@@ -116,30 +117,32 @@ void AddSurroundings(PropertyForm* form, SceneDocument* document)
   form->AddWidget(choose);
 }
 
-// 0 to 100, in equal steps of the error, which falls with the square of the step.
+// 0 to 100, in equal steps of the typical error.
 PropertyAccess<double> QualityAccess(SceneDocument* document)
 {
-  constexpr double coarsest = 2.0;
   const auto smallest = [document] { return SmallestSpacing(document->GetVoxels().Volume); };
+  const double most = TypicalError(LongestStep);
+  const double least = TypicalError(ShortestStep);
   return { [=](const SceneDescription& scene)
     {
-      const double step = std::min(*scene.SampleDistance / smallest() / coarsest, 1.0);
-      return 100.0 * (1.0 - step * step);
+      const double error = TypicalError(*scene.SampleDistance / smallest());
+      return std::clamp(100.0 * (most - error) / (most - least), 0.0, 100.0);
     },
     [=](SceneDescription& scene, const double& quality)
     {
-      const double error = std::max(1.0 - quality / 100.0, 1e-3);
-      scene.SampleDistance = coarsest * std::sqrt(error) * smallest();
+      const double error = most - quality / 100.0 * (most - least);
+      scene.SampleDistance = StepOfTypicalError(error) * smallest();
       scene.Shadows.SampleDistance = 2.0 * *scene.SampleDistance;
     } };
 }
 
-void AddSteps(PropertyForm* form, SceneDocument* document)
+void AddSteps(PropertyForm* form, SceneDocument* document, VolumeView* view)
 {
   form->AddSlider({ QObject::tr("Quality"),
                     QObject::tr("Length of the steps along rays, so that equal moves of the slider "
                                 "change the error equally. More is slower.") },
-    { 0.0, 99.9, 1 }, 99.9, QualityAccess(document));
+    { 0.0, 100.0, 1 }, 100.0, QualityAccess(document));
+  form->AddWidget(new QualityLabel(document, view, form));
   form->AddNumber({ QObject::tr("Step"),
                     QObject::tr("Distance between samples along a ray, in the volume's lengths.") },
     { 1e-4, 1e4, 4 },
@@ -171,7 +174,7 @@ void FillMaterialForm(PropertyForm* form, SceneDocument* document)
 }
 
 //------------------------------------------------------------------------------
-void FillRenderingForm(PropertyForm* form, SceneDocument* document)
+void FillRenderingForm(PropertyForm* form, SceneDocument* document, VolumeView* view)
 {
   form->AddChoice({ QObject::tr("Renderer"),
                     QObject::tr("Penumbra casts shadows; VTK's own ray caster does not.") },
@@ -205,7 +208,7 @@ void FillRenderingForm(PropertyForm* form, SceneDocument* document)
       [](SceneDescription& scene, const double& error) { scene.Shadows.Tolerance = error; } });
   form->ShowLastWhen(
     [](const SceneDescription& scene) { return scene.Shadows.Technique == TechniqueChoice::Auto; });
-  AddSteps(form, document);
+  AddSteps(form, document, view);
   form->AddChoice({ QObject::tr("Gradient"),
                     QObject::tr("How slopes are estimated: central is good, forward and backward "
                                 "are cheap, Sobel smooths noise and costs most.") },

@@ -11,9 +11,10 @@ namespace penumbra
 
 class PropertyForm;
 class SceneDocument;
+class VolumeView;
 
 void FillMaterialForm(PropertyForm* form, SceneDocument* document);
-void FillRenderingForm(PropertyForm* form, SceneDocument* document);
+void FillRenderingForm(PropertyForm* form, SceneDocument* document, VolumeView* view);
 
 }
 
