@@ -58,21 +58,6 @@ auto AsTuple(const LightingRequirements& r)
     r.EmptySpaceSkipping);
 }
 
-RequirementEntry Flag(const std::string& name, bool needed)
-{
-  return { name, needed ? "yes" : "no", needed };
-}
-
-RequirementEntry Count(const std::string& name, int count)
-{
-  return { name, std::to_string(count), count > 0 };
-}
-
-RequirementEntry Choice(const std::string& name, const std::string& value, bool needed)
-{
-  return { name, needed ? value : "none", needed };
-}
-
 // Which terms a material reflects, whatever the light.
 struct ReflectedTerms
 {
@@ -138,32 +123,6 @@ void AddReflection(const LightedScene& scene, LightingRequirements& needs)
     needs.NoiseFading = FadesNoise(scene.Property);
   }
 }
-
-const char* GetName(OpticalModel model)
-{
-  static const char* const names[] = { "absorption", "emission", "absorption-emission",
-    "single-scattering" };
-  return names[static_cast<int>(model)];
-}
-
-const char* GetName(ReflectionModel model)
-{
-  static const char* const names[] = { "phong", "blinn-phong", "oren-nayar", "ward",
-    "ward-anisotropic", "cook-torrance", "reflection-map" };
-  return names[static_cast<int>(model)];
-}
-
-const char* GetName(GradientEstimator estimator)
-{
-  static const char* const names[] = { "central differences", "forward differences",
-    "backward differences", "sobel" };
-  return names[static_cast<int>(estimator)];
-}
-
-const char* GetLookupName(TransferFunctionLookup lookup)
-{
-  return lookup == TransferFunctionLookup::Table ? "table" : "points";
-}
 }
 
 //------------------------------------------------------------------------------
@@ -212,62 +171,6 @@ int LightingRequirements::GetNumberOfShadowedLights() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<RequirementEntry> LightingRequirements::GetEntries() const
-{
-  const bool normal = this->NeedsNormal();
-  const bool positional =
-    this->GetNumberOfLights(LightKind::Point) + this->GetNumberOfLights(LightKind::Spot) > 0;
-  const bool lit = this->GetNumberOfLights() > 0;
-  const int environmentMaps =
-    this->NeedsEnvironment() ? static_cast<int>(this->Diffuse) + this->Specular : 0;
-  return {
-    Choice("optical model", GetName(this->Optics), true),
-    Choice("opacity", GetLookupName(this->Opacity), true),
-    Flag("pre-integration", this->PreIntegrated),
-    Flag("empty-space skipping", this->EmptySpaceSkipping),
-    Flag("colour", this->NeedsColor()),
-    Flag("gradient opacity", this->GradientOpacity),
-    Count("clipping planes", this->ClippingPlanes),
-    Choice("cropping", this->Cropping == CroppingKind::Regions ? "regions" : "box",
-      this->Cropping != CroppingKind::None),
-    Flag("mask", this->Mask),
-    Flag("shading", this->IsShaded()),
-    Choice("gradient", GetName(this->Gradient), this->NeedsGradient()),
-    Flag("gradient texture", this->NeedsGradient() && this->GradientTexture),
-    Choice("reflection model", GetName(this->Reflection), normal),
-    Flag("diffuse term", this->Diffuse),
-    Flag("specular term", this->Specular),
-    Flag("fresnel term", lit && this->Specular && this->HasFresnelTerm()),
-    Flag("preferred direction", lit && this->HasPreferredDirection()),
-    Count("environment maps", environmentMaps),
-    Flag("noise fading", this->NoiseFading),
-    Flag("two-sided lighting", this->TwoSidedLighting),
-    Count("directional lights", this->GetNumberOfLights(LightKind::Directional)),
-    Count("point lights", this->GetNumberOfLights(LightKind::Point)),
-    Count("spot lights", this->GetNumberOfLights(LightKind::Spot)),
-    Flag("attenuation", positional && this->Attenuation),
-    Count("soft shadows", this->GetNumberOfLights(ShadowKind::Soft)),
-    Count("hard shadows", this->GetNumberOfLights(ShadowKind::Hard)),
-    Choice("shadow technique", GetName(this->Technique), this->GetNumberOfShadowedLights() > 0),
-    Flag("shadow rays", this->NeedsShadowRays()),
-  };
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::string> LightingRequirements::GetLeftOut() const
-{
-  std::vector<std::string> names;
-  for (const RequirementEntry& entry : this->GetEntries())
-  {
-    if (!entry.Needed)
-    {
-      names.push_back(entry.Name);
-    }
-  }
-  return names;
-}
-
-//------------------------------------------------------------------------------
 LightKind GetLightKind(vtkLight* light)
 {
   if (!light->GetPositional())
@@ -282,13 +185,6 @@ ShadowKind GetShadowKind(vtkLight* light)
 {
   auto* volumeLight = vtkVolumeLight::SafeDownCast(light);
   return volumeLight ? static_cast<ShadowKind>(volumeLight->GetShadow()) : ShadowKind::None;
-}
-
-//------------------------------------------------------------------------------
-const char* GetName(ShadowTechnique technique)
-{
-  static const char* const names[] = { "rays", "volume", "map", "deep-map" };
-  return names[static_cast<int>(technique)];
 }
 
 //------------------------------------------------------------------------------
