@@ -6,7 +6,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <utility>
 
@@ -19,12 +18,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-constexpr double BytesPerMiB = 1048576.0;
-
-// How often the user is asked whether to go on while nothing else happens.
-constexpr double SecondsBetweenLooks = 0.1;
 
 // For the program itself and what libraries keep.
 constexpr std::uint64_t ProgramMemory = std::uint64_t(1) << 30;
@@ -34,118 +27,6 @@ constexpr std::uint64_t ThreadMemory = std::uint64_t(1) << 28;
 
 // Parsing keeps the file's bytes, and copies of parts of them.
 constexpr std::uint64_t MemoryPerFileByte = 4;
-
-// One conversation with a parser process, which does not survive one that is broken off: its
-// answers are handed to `answer`.
-class Conversation
-{
-public:
-  using Answer = std::function<void(const json&)>;
-
-  Conversation(const DicomRequest& request, double secondsPerFile)
-    : Request(request)
-    , SecondsPerFile(secondsPerFile)
-  {
-  }
-
-  ConversationEnd Hold(
-    std::unique_ptr<ChildProcess>& child, const Answer& answer, const ReadingProgress& progress)
-  {
-    std::unique_ptr<ChildProcess> process = std::move(child);
-    const ConversationEnd end = this->Hold(*process, answer, progress);
-    if (end == ConversationEnd::Done)
-    {
-      child = std::move(process);
-    }
-    return end;
-  }
-
-  /// The file that was being parsed at the end, if any was.
-  std::optional<std::size_t> GetStarted() const { return this->Started; }
-
-private:
-  ConversationEnd Hold(ChildProcess& process, const Answer& answer, const ReadingProgress& progress)
-  {
-    if (!process.Send(Encode(ToMessage(this->Request))))
-    {
-      return ConversationEnd::Crashed;
-    }
-    this->Begin(std::nullopt);
-    std::string bytes;
-    while (true)
-    {
-      const ChildProcess::Output output = process.Wait(SecondsBetweenLooks, bytes);
-      if (!this->TakeAnswers(bytes, answer))
-      {
-        return ConversationEnd::Crashed;
-      }
-      if (!progress(this->Progress))
-      {
-        throw ReadingCancelled();
-      }
-      if (this->IsDone || output == ChildProcess::Output::Ended)
-      {
-        return this->IsDone ? ConversationEnd::Done : ConversationEnd::Crashed;
-      }
-      if (Clock::now() > this->Deadline)
-      {
-        return ConversationEnd::TooLong;
-      }
-    }
-  }
-
-  // Returns whether all of it makes sense.
-  bool TakeAnswers(std::string& bytes, const Answer& answer)
-  {
-    try
-    {
-      while (const auto message = TakeMessage(bytes))
-      {
-        if (message->contains(DicomAnswer::Start))
-        {
-          this->Begin(message->at(DicomAnswer::Start).get<std::size_t>());
-          // Slices decoded in parallel may tell their start out of order.
-          this->Progress =
-            std::max(this->Progress, message->at(DicomAnswer::Progress).get<double>());
-        }
-        else if (message->contains(DicomAnswer::Done))
-        {
-          this->IsDone = true;
-        }
-        else
-        {
-          answer(*message);
-        }
-      }
-      return true;
-    }
-    catch (const json::exception&)
-    {
-      return false;
-    }
-  }
-
-  void Begin(std::optional<std::size_t> file)
-  {
-    this->Started = file;
-    double bytes = 0.0;
-    if (file && *file < this->Request.files.size())
-    {
-      std::error_code ignored;
-      const auto size = fs::file_size(this->Request.files[*file].path, ignored);
-      bytes = ignored ? 0.0 : static_cast<double>(size);
-    }
-    const std::chrono::duration<double> allowed(this->SecondsPerFile + bytes / BytesPerMiB);
-    this->Deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(allowed);
-  }
-
-  const DicomRequest& Request;
-  double SecondsPerFile;
-  std::optional<std::size_t> Started;
-  double Progress = 0.0;
-  bool IsDone = false;
-  Clock::time_point Deadline;
-};
 
 std::string ReasonOf(ConversationEnd end)
 {
@@ -252,7 +133,7 @@ DicomParserProcess::VoxelAnswers DicomParserProcess::AskForVoxels(
     }
     answers.read = { message.at(DicomAnswer::ScalarType), message.at(DicomAnswer::Filled) };
   };
-  Conversation conversation(request, this->Limits.seconds);
+  DicomConversation conversation(request, this->Limits.seconds);
   answers.end = conversation.Hold(this->GetChild(), answer, progress);
   const bool saysNothing = !answers.read && answers.failure.empty();
   if (answers.end == ConversationEnd::Done && saysNothing)
@@ -291,7 +172,7 @@ ConversationEnd DicomParserProcess::AskForHeaders(const std::vector<fs::path>& p
     const auto all = static_cast<double>(paths.size());
     return progress((done + rest * (all - done)) / all);
   };
-  Conversation conversation(request, this->Limits.seconds);
+  DicomConversation conversation(request, this->Limits.seconds);
   const ConversationEnd end = conversation.Hold(this->GetChild(), answer, restProgress);
   // Where not even the first file was started, the program itself is what fails.
   if (!conversation.GetStarted())
@@ -340,7 +221,7 @@ std::vector<fs::path> DicomParserProcess::ReadDirectory(const fs::path& path)
       files.push_back(PathFromMessage(file));
     }
   };
-  Conversation conversation(request, this->Limits.seconds);
+  DicomConversation conversation(request, this->Limits.seconds);
   const ConversationEnd end =
     conversation.Hold(this->GetChild(), answer, [](double) { return true; });
   if (end != ConversationEnd::Done || !failure.empty())

@@ -10,6 +10,7 @@
 #define DicomParserProcess_h
 
 #include "ChildProcess.h"
+#include "DicomConversation.h"
 #include "DicomParser.h"
 #include "DicomVoxels.h"
 #include "SharedMemory.h"
@@ -31,16 +32,6 @@ struct DicomParserLimits
 };
 
 struct DicomRequest;
-
-/**
- * How asking a parser process for something ends.
- */
-enum class ConversationEnd
-{
-  Done,
-  Crashed,
-  TooLong
-};
 
 class DicomParserProcess : public DicomParser
 {
