@@ -159,6 +159,14 @@ void ShadowCache::Attach(int firstSlice, int slices)
 }
 
 //------------------------------------------------------------------------------
+void ShadowCache::SetLeastStep(const Filling& filling, double spacings)
+{
+  const double step = std::max(
+    filling.Scene->Plan.ShadowSampleDistance, spacings * filling.Scene->Placement.SmallestSpacing);
+  filling.Quad->Program->SetUniformf("scene_shadowSampleDistance", static_cast<float>(step));
+}
+
+//------------------------------------------------------------------------------
 void ShadowCache::Draw(const Filling& filling, double rays)
 {
   const auto [width, height] = this->GetSize();

@@ -74,6 +74,9 @@ protected:
   void Resize(int lights);
   /// Lets the next draw go to slices of the texture, the first one and those behind it.
   void Attach(int firstSlice, int slices);
+  /// Makes a light's rays march in steps of so many of the smallest spacings, or in the scene's where
+  /// those are longer.
+  static void SetLeastStep(const Filling& filling, double spacings);
   /// Covers the framebuffer by draws that are short; rays: times that a fragment marches a ray.
   void Draw(const Filling& filling, double rays);
 

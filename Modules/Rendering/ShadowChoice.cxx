@@ -140,11 +140,12 @@ double PredictShadowCost(ShadowOption option, const ShadowChoiceTask& task)
   if (settings.Technique == ShadowTechnique::DeepMap)
   {
     return samples * (mapLookUp + settings.NearSteps) +
-      lights * task.VoxelsAcross * task.VoxelsAcross * 4.0 * task.VoxelsAcross / pictures;
+      lights * task.VoxelsAcross * task.VoxelsAcross * task.VoxelsAcross / pictures;
   }
   const double texels = lights * task.Voxels * task.Occupied * std::pow(settings.Resolution, 3) *
     GetTexelRatio(settings, task);
-  return samples * (volumeLookUp + settings.NearSteps) + texels * 2.0 * ray / pictures;
+  return samples * (volumeLookUp + settings.NearSteps) +
+    texels * 2.0 * ray * settings.Resolution / pictures;
 }
 
 //------------------------------------------------------------------------------

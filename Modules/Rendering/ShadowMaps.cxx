@@ -57,6 +57,9 @@ void ShadowMaps::FillLight(const Filling& filling, int slot)
   SetUniform(program, "scene_mapLargestDepth", GetLargestDepth(caster));
   SetUniform(program, "scene_mapFirstHit", caster.FirstHit ? caster.Enough : -1.0);
   SetUniform(program, "scene_mapTolerance", tolerance);
+  // A soft shadow is no sharper than its texels, where matter does not jump.
+  const bool fine = caster.Hard || filling.Scene->Requirements.PreIntegrated;
+  this->SetLeastStep(filling, fine ? 0.0 : 1.0 / this->Plan.Resolution);
   this->Attach(ShadowMapPlan::SlicesPerLight * slot, ShadowMapPlan::SlicesPerLight);
   this->Draw(filling, marches);
 }

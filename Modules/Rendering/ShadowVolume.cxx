@@ -55,6 +55,8 @@ void ShadowVolume::FillLight(const Filling& filling, int slot)
     program, "scene_shadowTexels", Vector3{ 1.0 * texels[0], 1.0 * texels[1], 1.0 * texels[2] });
   program->SetUniform4f("scene_shadowLight", caster.Place.data());
   program->SetUniform2f("scene_shadowRay", ray);
+  // What lies between texels is interpolated: finer steps would not tell more.
+  this->SetLeastStep(filling, 1.0 / this->Plan.Resolution);
   const int component = slot % lightsPerBlock;
   filling.Window->GetState()->vtkglColorMask(
     component == 0, component == 1, component == 2, component == 3);

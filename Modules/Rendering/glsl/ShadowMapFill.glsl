@@ -27,11 +27,21 @@ float darknessOf(float depth)
   return sqrt(min(depth / scene_mapLargestDepth, 1.0));
 }
 
-float mapStepDepth(inout RayEnd rayEnd, MapRay ray, float at, float stepLength)
+// A step's optical depth, or a leap over empty space, which has none; how long it is.
+float mapStepDepth(inout RayEnd rayEnd, MapRay ray, float at, out float stepLength)
 {
+  stepLength = min(scene_shadowSampleDistance, ray.end - at);
   vec3 middle = ray.origin + ray.direction * (at + 0.5 * stepLength);
+  int leap = emptySteps(middle, ray.direction * scene_shadowSampleDistance);
   SegmentMatter matter;
-  return segmentDepth(rayEnd, middle, ray.direction, stepLength, matter);
+  float depth = segmentDepth(rayEnd, middle, ray.direction, stepLength, matter);
+  if (leap > 0)
+  {
+    depth = 0.0;
+    stepLength = min(float(leap) * scene_shadowSampleDistance, ray.end - at);
+    rayEnd = rayEndAfterLeap(rayEnd, leap, ray.origin + ray.direction * (at + stepLength));
+  }
+  return depth;
 }
 
 // The least and the largest slope from a node to within the tolerance of a point.
@@ -54,9 +64,9 @@ bool followDarkness(MapRay ray, float tolerance, out vec2 node[Nodes])
   vec2 before = node[0];
   float depth = 0.0;
   RayEnd rayEnd = rayEndAt(ray.origin + ray.direction * ray.begin);
-  for (float at = ray.begin; at < ray.end && depth < scene_mapLargestDepth; at += scene_shadowSampleDistance)
+  float stepLength;
+  for (float at = ray.begin; at < ray.end && depth < scene_mapLargestDepth; at += stepLength)
   {
-    float stepLength = min(scene_shadowSampleDistance, ray.end - at);
     depth += mapStepDepth(rayEnd, ray, at, stepLength);
     vec2 here = vec2(at + stepLength, darknessOf(depth));
     vec2 reaching = slopesTo(node[last], here, tolerance);
@@ -88,9 +98,9 @@ float firstHit(MapRay ray)
 {
   float depth = 0.0;
   RayEnd rayEnd = rayEndAt(ray.origin + ray.direction * ray.begin);
-  for (float at = ray.begin; at < ray.end; at += scene_shadowSampleDistance)
+  float stepLength;
+  for (float at = ray.begin; at < ray.end; at += stepLength)
   {
-    float stepLength = min(scene_shadowSampleDistance, ray.end - at);
     float added = mapStepDepth(rayEnd, ray, at, stepLength);
     if (depth + added > scene_mapFirstHit)
     {
