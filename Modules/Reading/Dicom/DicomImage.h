@@ -11,6 +11,7 @@
 #include "VolumeGeometry.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,6 +27,14 @@ struct DicomRescale
 {
   double slope = 1.0;
   double intercept = 0.0;
+
+  /// Whether both are whole numbers of 32 bits.
+  bool IsWhole() const
+  {
+    const auto isWhole = [](double number)
+    { return std::abs(number) < 2147483648.0 && number == std::round(number); };
+    return isWhole(this->slope) && isWhole(this->intercept);
+  }
 };
 
 /**
@@ -65,6 +74,16 @@ struct DicomPixelFormat
     return (this->bitsAllocated == 8 || this->bitsAllocated == 16 || this->bitsAllocated == 32) &&
       this->bitsStored >= 1 && this->bitsStored - 1 <= this->highBit &&
       this->highBit < this->bitsAllocated;
+  }
+
+  /// The lowest and the highest value that the stored bits allow for.
+  std::int64_t LowestStored() const
+  {
+    return this->isSigned ? -(std::int64_t(1) << (this->bitsStored - 1)) : 0;
+  }
+  std::int64_t HighestStored() const
+  {
+    return (std::int64_t(1) << (this->isSigned ? this->bitsStored - 1 : this->bitsStored)) - 1;
   }
 
   bool operator==(const DicomPixelFormat& other) const

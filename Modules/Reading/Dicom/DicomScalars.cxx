@@ -1,12 +1,8 @@
 #include "DicomScalars.h"
 
-#include "vtkType.h"
-
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
-#include <set>
 #include <type_traits>
 
 namespace penumbra
@@ -17,64 +13,6 @@ namespace
 
 // Padding that lies further below all other values, in parts of their range, would stretch it.
 constexpr double FarBelow = 0.05;
-
-std::int64_t LowestStored(const DicomPixelFormat& pixel)
-{
-  return pixel.isSigned ? -(std::int64_t(1) << (pixel.bitsStored - 1)) : 0;
-}
-
-std::int64_t HighestStored(const DicomPixelFormat& pixel)
-{
-  return (std::int64_t(1) << (pixel.isSigned ? pixel.bitsStored - 1 : pixel.bitsStored)) - 1;
-}
-
-bool IsWhole(double number)
-{
-  return std::abs(number) < 2147483648.0 && number == std::round(number);
-}
-
-struct ScalarRange
-{
-  int type;
-  double lowest;
-  double highest;
-};
-
-template <typename Scalar>
-ScalarRange RangeOf(int type)
-{
-  return { type, static_cast<double>(std::numeric_limits<Scalar>::lowest()),
-    static_cast<double>(std::numeric_limits<Scalar>::max()) };
-}
-
-// The smallest type that holds what is possible, or where that is more than 16 bits, first those
-// that hold what is likely; then wider ones, for voxels without a measurement need a value too.
-std::vector<int> IntegerTypes(const DicomValues& values)
-{
-  const ScalarRange all[] = { RangeOf<std::uint8_t>(VTK_UNSIGNED_CHAR),
-    RangeOf<std::int8_t>(VTK_SIGNED_CHAR), RangeOf<std::int16_t>(VTK_SHORT),
-    RangeOf<std::uint16_t>(VTK_UNSIGNED_SHORT), RangeOf<std::int32_t>(VTK_INT),
-    RangeOf<std::uint32_t>(VTK_UNSIGNED_INT) };
-  const auto smallest = std::find_if(std::begin(all), std::end(all),
-    [&values](const ScalarRange& type)
-    { return type.lowest <= values.possible[0] && values.possible[1] <= type.highest; });
-  const bool isLong = smallest == std::end(all) || smallest - std::begin(all) >= 4;
-  std::vector<int> types;
-  if (isLong && values.mostBitsAllocated <= 16)
-  {
-    types = { VTK_SHORT, VTK_UNSIGNED_SHORT };
-  }
-  if (smallest != std::end(all))
-  {
-    types.push_back(smallest->type);
-  }
-  if (!isLong)
-  {
-    types.push_back(VTK_INT);
-  }
-  types.push_back(VTK_DOUBLE);
-  return types;
-}
 
 template <typename Stored>
 Stored StoredAt(const char* bytes, std::size_t index)
@@ -116,7 +54,7 @@ public:
     , Mask((std::uint64_t(1) << pixel.bitsStored) - 1)
     , Sign(pixel.isSigned ? std::uint64_t(1) << (pixel.bitsStored - 1) : 0)
     , IsTurned(image.isTurnedOver)
-    , Sum(LowestStored(pixel) + HighestStored(pixel))
+    , Sum(pixel.LowestStored() + pixel.HighestStored())
     , Rescale(rescale)
     , Padding(image.padding)
   {
@@ -186,7 +124,7 @@ struct WholeRescale
 std::optional<WholeRescale> ToWhole(
   const DicomPixelFormat& pixel, const DicomImage& image, const DicomRescale& rescale)
 {
-  if (!IsWhole(rescale.slope) || !IsWhole(rescale.intercept))
+  if (!rescale.IsWhole())
   {
     return std::nullopt;
   }
@@ -194,7 +132,7 @@ std::optional<WholeRescale> ToWhole(
     static_cast<std::int64_t>(rescale.intercept) };
   if (image.isTurnedOver)
   {
-    whole.intercept += whole.slope * (LowestStored(pixel) + HighestStored(pixel));
+    whole.intercept += whole.slope * (pixel.LowestStored() + pixel.HighestStored());
     whole.slope = -whole.slope;
   }
   return whole;
@@ -264,48 +202,6 @@ DicomConversion ConvertPixels(const char* bytes, std::size_t count, const DicomP
   return ConvertAll<Pixel>(bytes, count, convert, marker, values);
 }
 
-}
-
-DicomValues SummarizeValues(const std::vector<DicomImageFrame>& slices)
-{
-  DicomValues values;
-  values.possible = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
-  std::set<double> paddings;
-  for (const auto& [image, frame] : slices)
-  {
-    const DicomRescale& rescale = image->frames[frame].rescale;
-    const auto value = [&rescale](std::int64_t stored)
-    { return rescale.slope * static_cast<double>(stored) + rescale.intercept; };
-    for (const double extreme :
-      { value(LowestStored(image->pixel)), value(HighestStored(image->pixel)) })
-    {
-      values.possible[0] = std::min(values.possible[0], extreme);
-      values.possible[1] = std::max(values.possible[1], extreme);
-    }
-    values.areWhole = values.areWhole && IsWhole(rescale.slope) && IsWhole(rescale.intercept);
-    values.mostBitsStored = std::max(values.mostBitsStored, image->pixel.bitsStored);
-    values.mostBitsAllocated = std::max(values.mostBitsAllocated, image->pixel.bitsAllocated);
-    if (image->padding)
-    {
-      paddings.insert(value((*image->padding)[0]));
-    }
-  }
-  values.hasPadding = !paddings.empty();
-  if (paddings.size() == 1)
-  {
-    values.padding = *paddings.begin();
-  }
-  return values;
-}
-
-std::vector<int> PossibleScalarTypes(const DicomValues& values)
-{
-  const bool isPaddingOne = !values.hasPadding || values.padding;
-  if (!values.areWhole || !isPaddingOne)
-  {
-    return { values.mostBitsStored > 24 ? VTK_DOUBLE : VTK_FLOAT };
-  }
-  return IntegerTypes(values);
 }
 
 template <typename Scalar>

@@ -1,12 +1,12 @@
 #include "DicomVolumePlan.h"
 
+#include "AlikeSlices.h"
 #include "NumberText.h"
+#include "SliceOrientation.h"
 #include "SliceStack.h"
-#include "VolumeReadingError.h"
 #include "vtkMath.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -16,206 +16,28 @@ namespace penumbra
 namespace
 {
 
-// Unit vectors as written with few digits differ by less; over 500 pixels it is half a pixel.
-constexpr double DirectionTolerance = 1e-3;
-
-constexpr double SpacingTolerance = 1e-3;
-
-// In mm. No detector is as fine or as coarse.
-constexpr double SmallestSpacing = 1e-6;
-constexpr double LargestSpacing = 1e4;
-
-struct Slice
-{
-  DicomSource source;
-  const DicomFile* file;
-  const DicomFrame* frame;
-};
-
-std::vector<Slice> SlicesOf(const DicomSeries& series)
-{
-  std::vector<Slice> slices;
-  for (std::size_t file = 0; file < series.files.size(); ++file)
-  {
-    const DicomFile& of = series.files[file];
-    for (std::size_t frame = 0; frame < of.image.frames.size(); ++frame)
-    {
-      slices.push_back({ { file, frame, 0.0 }, &of, &of.image.frames[frame] });
-    }
-  }
-  return slices;
-}
-
-template <std::size_t Count>
-bool AreNear(const std::optional<std::array<double, Count>>& left,
-  const std::optional<std::array<double, Count>>& right, double tolerance)
-{
-  if (!left || !right)
-  {
-    return !left && !right;
-  }
-  return std::equal(left->begin(), left->end(), right->begin(),
-    [tolerance](double a, double b)
-    { return std::abs(a - b) <= tolerance * std::max(1.0, std::abs(a)); });
-}
-
-// Whether two slices can be of one volume.
-bool AreAlike(const Slice& left, const Slice& right)
-{
-  const DicomImage& a = left.file->image;
-  const DicomImage& b = right.file->image;
-  return a.columns == b.columns && a.rows == b.rows && a.isInverted == b.isInverted &&
-    a.frameOfReferenceUID == b.frameOfReferenceUID &&
-    left.frame->position.has_value() == right.frame->position.has_value() &&
-    AreNear(left.frame->orientation, right.frame->orientation, DirectionTolerance) &&
-    AreNear(left.frame->pixelSpacing, right.frame->pixelSpacing, SpacingTolerance);
-}
-
-std::string SizeText(const Slice& slice)
-{
-  return std::to_string(slice.file->image.columns) + "x" + std::to_string(slice.file->image.rows);
-}
-
-// The largest group of slices that are alike.
-std::vector<Slice> TakeMostAlike(const std::vector<Slice>& all, std::vector<std::string>& warnings)
-{
-  std::vector<std::vector<Slice>> groups;
-  for (const Slice& slice : all)
-  {
-    const auto group = std::find_if(groups.begin(), groups.end(),
-      [&slice](const std::vector<Slice>& of) { return AreAlike(of.front(), slice); });
-    if (group == groups.end())
-    {
-      groups.push_back({ slice });
-    }
-    else
-    {
-      group->push_back(slice);
-    }
-  }
-  const auto largest = std::max_element(groups.begin(), groups.end(),
-    [](const auto& left, const auto& right) { return left.size() < right.size(); });
-  if (groups.size() > 1)
-  {
-    if (largest->size() == 1)
-    {
-      throw VolumeReadingError("no two of its " + CountText(all.size(), "image") +
-        " agree in size, orientation, pixel spacing and kind");
-    }
-    warnings.push_back(CountText(all.size() - largest->size(), "image") +
-      " left out, of another size, orientation, pixel spacing, frame of reference or "
-      "kind than the " +
-      CountText(largest->size(), "image") + " of " + SizeText(largest->front()) + " taken");
-  }
-  return *largest;
-}
-
-std::optional<double> UsableSpacing(double spacing)
-{
-  const bool isUsable = spacing >= SmallestSpacing && spacing <= LargestSpacing;
-  return isUsable ? std::optional<double>(spacing) : std::nullopt;
-}
-
-void SetPixelSpacing(
-  const Slice& slice, SliceOrientation& orientation, std::vector<std::string>& warnings)
-{
-  const auto& spacing = slice.frame->pixelSpacing;
-  const auto rows = spacing ? UsableSpacing((*spacing)[0]) : std::nullopt;
-  const auto columns = spacing ? UsableSpacing((*spacing)[1]) : std::nullopt;
-  if (!rows || !columns)
-  {
-    warnings.push_back("the pixel spacing is " +
-      (spacing ? NumberText((*spacing)[0]) + " and " + NumberText((*spacing)[1]) + " mm"
-               : std::string("not given")) +
-      "; 1 mm is taken");
-    return;
-  }
-  if (slice.frame->isSpacingAtDetector)
-  {
-    warnings.push_back("the pixel spacing of " + NumberText(*rows) + " and " +
-      NumberText(*columns) + " mm is that of the detector; the body is smaller");
-  }
-  orientation.rowSpacing = *rows;
-  orientation.columnSpacing = *columns;
-}
-
-SliceOrientation OrientationOf(const Slice& slice, std::vector<std::string>& warnings)
-{
-  const std::array<double, 6> axial{ 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 };
-  const auto& given = slice.frame->orientation;
-  if (!given && slice.frame->position)
-  {
-    warnings.push_back("the images have no orientation; axial slices are assumed");
-  }
-  const std::array<double, 6> directions = given.value_or(axial);
-  SliceOrientation orientation;
-  std::copy_n(directions.begin(), 3, orientation.row.begin());
-  std::copy_n(directions.begin() + 3, 3, orientation.column.begin());
-  const double rowLength = vtkMath::Normalize(orientation.row.data());
-  const double columnLength = vtkMath::Normalize(orientation.column.data());
-  const double cosine = vtkMath::Dot(orientation.row.data(), orientation.column.data());
-  // Written so that NaN fails as well.
-  if (!(std::abs(rowLength - 1.0) < 0.01 && std::abs(columnLength - 1.0) < 0.01 &&
-        std::abs(cosine) < 0.01))
-  {
-    std::string text;
-    for (const double value : directions)
-    {
-      text += (text.empty() ? "" : " ") + NumberText(value);
-    }
-    throw VolumeReadingError(
-      "its Image Orientation (Patient) is " + text + "; two perpendicular unit vectors are needed");
-  }
-  vtkMath::Cross(orientation.row.data(), orientation.column.data(), orientation.normal.data());
-  vtkMath::Normalize(orientation.normal.data());
-  vtkMath::Cross(orientation.normal.data(), orientation.row.data(), orientation.column.data());
-  SetPixelSpacing(slice, orientation, warnings);
-  return orientation;
-}
-
-struct SliceDistance
-{
-  double millimetres = 1.0;
-  std::string origin = "a guess";
-};
-
-// The distance between slices as far as one slice tells it.
-SliceDistance DistanceOf(const Slice& slice, const SliceOrientation& orientation)
-{
-  const auto usable = [](const std::optional<double>& value)
-  { return value ? UsableSpacing(std::abs(*value)) : std::nullopt; };
-  if (const auto spacing = usable(slice.frame->spacingBetweenSlices))
-  {
-    return { *spacing, "Spacing Between Slices" };
-  }
-  if (const auto thickness = usable(slice.frame->sliceThickness))
-  {
-    return { *thickness, "Slice Thickness" };
-  }
-  return { orientation.rowSpacing, "the distance of rows" };
-}
-
-std::vector<PlacedSlice> PlaceByPosition(const std::vector<Slice>& slices)
+std::vector<PlacedSlice> PlaceByPosition(const std::vector<ScannedSlice>& slices)
 {
   std::vector<PlacedSlice> placed;
-  for (const Slice& slice : slices)
+  for (const ScannedSlice& slice : slices)
   {
     placed.push_back({ slice.source, *slice.frame->position, slice.frame->order, 0.0 });
   }
   return placed;
 }
 
-std::vector<PlacedSlice> PlaceByNumber(std::vector<Slice> slices,
+std::vector<PlacedSlice> PlaceByNumber(std::vector<ScannedSlice> slices,
   const SliceOrientation& orientation, std::vector<std::string>& warnings)
 {
   std::stable_sort(slices.begin(), slices.end(),
-    [](const Slice& left, const Slice& right) { return left.frame->order < right.frame->order; });
-  const SliceDistance distance = DistanceOf(slices.front(), orientation);
+    [](const ScannedSlice& left, const ScannedSlice& right)
+    { return left.frame->order < right.frame->order; });
+  const SliceDistance distance = DistanceOf(*slices.front().frame, orientation);
   warnings.push_back("the images have no positions; " + CountText(slices.size(), "slice") +
     " stacked by instance number, " + NumberText(distance.millimetres) + " mm apart (" +
     distance.origin + ")");
   std::vector<PlacedSlice> placed;
-  for (const Slice& slice : slices)
+  for (const ScannedSlice& slice : slices)
   {
     const double place = distance.millimetres * static_cast<double>(placed.size());
     const Vector3& normal = orientation.normal;
@@ -317,14 +139,14 @@ void SetGeometry(DicomVolumePlan& plan, const DicomImage& image,
 
 DicomVolumePlan PlanVolume(const DicomSeries& series, std::vector<std::string>& warnings)
 {
-  const std::vector<Slice> alike = TakeMostAlike(SlicesOf(series), warnings);
-  const Slice& first = alike.front();
-  const SliceOrientation orientation = OrientationOf(first, warnings);
+  const std::vector<ScannedSlice> alike = TakeAlikeSlices(series, warnings);
+  const ScannedSlice& first = alike.front();
+  const SliceOrientation orientation = OrientationOf(*first.frame, warnings);
   std::vector<PlacedSlice> placed =
     first.frame->position ? PlaceByPosition(alike) : PlaceByNumber(alike, orientation, warnings);
   SortSlices(placed, orientation, warnings);
 
-  EvenSlices even{ DistanceOf(first, orientation).millimetres, 1, { 0.0 } };
+  EvenSlices even{ DistanceOf(*first.frame, orientation).millimetres, 1, { 0.0 } };
   Vector3 stacking = orientation.normal;
   if (placed.size() > 1)
   {

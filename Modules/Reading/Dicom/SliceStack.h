@@ -8,6 +8,7 @@
 
 #include "DicomImage.h"
 #include "DicomVolumePlan.h"
+#include "SliceOrientation.h"
 
 #include <array>
 #include <string>
@@ -28,19 +29,6 @@ struct PlacedSlice
   std::array<double, 5> order{};
   /// Of the position, along the normal from the patient coordinates' origin, in mm.
   double location = 0.0;
-};
-
-/**
- * The common orientation of slices: unit vectors along a row, along a column and their cross
- * product, and the distances between columns and between rows.
- */
-struct SliceOrientation
-{
-  Vector3 row{};
-  Vector3 column{};
-  Vector3 normal{};
-  double columnSpacing = 1.0;
-  double rowSpacing = 1.0;
 };
 
 /**
