@@ -46,22 +46,39 @@ float GetLargestDepth(const ShadowCaster& caster)
 }
 
 //------------------------------------------------------------------------------
-bool ShadowCache::Create(vtkOpenGLRenderWindow* window, const std::array<int, 3>& texels,
-  int components, int scalarType, int filter)
+bool ShadowCache::TextureLayout::operator==(const TextureLayout& other) const
 {
-  ResetTexture(this->Texture, window, filter);
-  this->Framebuffer->SetContext(window);
-  this->Bytes = static_cast<std::size_t>(texels[0]) * static_cast<std::size_t>(texels[1]) *
-    static_cast<std::size_t>(texels[2]) *
-    static_cast<std::size_t>(components * vtkAbstractArray::GetDataTypeSize(scalarType));
-  return this->Texture->Create3DFromRaw(
-    texels[0], texels[1], texels[2], components, scalarType, nullptr);
+  return this->Texels == other.Texels && this->SlicesPerBlock == other.SlicesPerBlock &&
+    this->Components == other.Components && this->ScalarType == other.ScalarType &&
+    this->Filter == other.Filter;
 }
 
 //------------------------------------------------------------------------------
-void ShadowCache::Resize(int lights)
+bool ShadowCache::Reserve(vtkOpenGLRenderWindow* window, const TextureLayout& layout, int lights)
 {
+  const bool same = this->Texture->GetHandle() && layout == this->Layout;
+  this->Layout = layout;
+  if (!same)
+  {
+    this->Release(window);
+  }
   this->Held.resize(lights);
+  return same || lights == 0 || this->Create(window);
+}
+
+//------------------------------------------------------------------------------
+bool ShadowCache::Create(vtkOpenGLRenderWindow* window)
+{
+  const TextureLayout& layout = this->Layout;
+  const auto& texels = layout.Texels;
+  ResetTexture(this->Texture, window, layout.Filter);
+  this->Framebuffer->SetContext(window);
+  this->Bytes = static_cast<std::size_t>(texels[0]) * static_cast<std::size_t>(texels[1]) *
+    static_cast<std::size_t>(texels[2]) *
+    static_cast<std::size_t>(
+      layout.Components * vtkAbstractArray::GetDataTypeSize(layout.ScalarType));
+  return this->Texture->Create3DFromRaw(
+    texels[0], texels[1], texels[2], layout.Components, layout.ScalarType, nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -54,6 +54,17 @@ public:
   void Release(vtkOpenGLRenderWindow* window);
 
 protected:
+  struct TextureLayout
+  {
+    std::array<int, 3> Texels{};
+    int SlicesPerBlock = 0; ///< that one light, or those of its components, take
+    int Components = 0;
+    int ScalarType = 0; ///< VTK's
+    int Filter = 0;     ///< vtkTextureObject's
+
+    bool operator==(const TextureLayout& other) const;
+  };
+
   /// What one light's draws go to.
   struct Filling
   {
@@ -67,15 +78,14 @@ protected:
   virtual std::array<int, 2> GetSize() const = 0;
   virtual void FillLight(const Filling& filling, int slot) = 0;
 
-  /// Makes the texture anew.
-  bool Create(vtkOpenGLRenderWindow* window, const std::array<int, 3>& texels, int components,
-    int scalarType, int filter);
-  /// Keeps room for as many lights; those that stay are as they were.
-  void Resize(int lights);
+  /// Keeps room for as many lights in a texture of that layout. Where the layout is as before,
+  /// lights that stay are as they were. No lights give the texture up. False where the graphics
+  /// card has no room.
+  bool Reserve(vtkOpenGLRenderWindow* window, const TextureLayout& layout, int lights);
   /// Lets the next draw go to slices of the texture, the first one and those behind it.
   void Attach(int firstSlice, int slices);
-  /// Makes a light's rays march in steps of so many of the smallest spacings, or in the scene's where
-  /// those are longer.
+  /// Makes a light's rays march in steps of so many of the smallest spacings, or in the scene's
+  /// where those are longer.
   static void SetLeastStep(const Filling& filling, double spacings);
   /// Covers the framebuffer by draws that are short; rays: times that a fragment marches a ray.
   void Draw(const Filling& filling, double rays);
@@ -83,9 +93,11 @@ protected:
   vtkNew<vtkTextureObject> Texture;
 
 private:
+  bool Create(vtkOpenGLRenderWindow* window);
   bool Fill(vtkOpenGLRenderWindow* window, const DrawnScene& scene, const VolumeTextures& textures,
     const std::vector<int>& slots);
 
+  TextureLayout Layout;
   ShadowingMatter Matter;
   std::vector<std::optional<ShadowCaster>> Held;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;

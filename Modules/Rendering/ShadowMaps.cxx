@@ -13,20 +13,11 @@ namespace penumbra
 //------------------------------------------------------------------------------
 bool ShadowMaps::Allocate(vtkOpenGLRenderWindow* window, const ShadowMapPlan& plan)
 {
-  const bool same = this->Texture->GetHandle() && plan.Texels == this->Plan.Texels &&
-    plan.Lights == this->Plan.Lights;
   this->Plan = plan;
-  if (!same)
-  {
-    this->Release(window);
-  }
-  this->Resize(plan.Lights);
-  if (same || plan.Lights == 0)
-  {
-    return true;
-  }
-  return this->Create(window, { plan.Texels, plan.Texels, plan.GetNumberOfSlices() }, 4, VTK_FLOAT,
-    vtkTextureObject::Nearest);
+  return this->Reserve(window,
+    { { plan.Texels, plan.Texels, plan.GetNumberOfSlices() }, ShadowMapPlan::SlicesPerLight, 4,
+      VTK_FLOAT, vtkTextureObject::Nearest },
+    plan.Lights);
 }
 
 //------------------------------------------------------------------------------

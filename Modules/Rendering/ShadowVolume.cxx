@@ -15,20 +15,11 @@ namespace penumbra
 //------------------------------------------------------------------------------
 bool ShadowVolume::Allocate(vtkOpenGLRenderWindow* window, const ShadowVolumePlan& plan)
 {
-  const bool same = this->Texture->GetHandle() && plan.Texels == this->Plan.Texels &&
-    plan.Components == this->Plan.Components && plan.Blocks == this->Plan.Blocks;
   this->Plan = plan;
-  if (!same)
-  {
-    this->Release(window);
-  }
-  this->Resize(plan.Lights);
-  if (same || plan.Lights == 0)
-  {
-    return true;
-  }
-  return this->Create(window, { plan.Texels[0], plan.Texels[1], plan.GetNumberOfSlices() },
-    plan.Components, VTK_UNSIGNED_CHAR, vtkTextureObject::Linear);
+  return this->Reserve(window,
+    { { plan.Texels[0], plan.Texels[1], plan.GetNumberOfSlices() }, plan.Texels[2], plan.Components,
+      VTK_UNSIGNED_CHAR, vtkTextureObject::Linear },
+    plan.Lights);
 }
 
 //------------------------------------------------------------------------------
