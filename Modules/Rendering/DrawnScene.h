@@ -37,7 +37,7 @@ struct DrawnScene
   CroppingKind Cropping = CroppingKind::None;
   int CroppingFlags = 0;       ///< vtkVolumeMapper's region flags
   bool AnythingVisible = true; ///< false where cropping hides the whole volume
-  double UnitDistance = 1.0;
+  double UnitDistance = 1.0;   ///< of the scalar opacity, in the volume's own lengths
   MarchingPlan Plan;
   std::vector<ShadowCaster> ShadowCasters; ///< whose shadows are looked up
   ShadowingMatter Matter;                  ///< what kept shadows depend on

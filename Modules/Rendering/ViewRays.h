@@ -26,7 +26,8 @@ struct PENUMBRARENDERING_EXPORT ViewRays
   Matrix4 TextureToClip{};
 };
 
-/// Rays of a camera. worldToClip is the whole projection, z of the near plane -1.
+/// Rays of a camera. worldToClip is the whole projection, z of the near plane -1. False where its
+/// product with the placement has no inverse.
 PENUMBRARENDERING_EXPORT bool ComputeViewRays(
   const VolumePlacement& placement, const Matrix4& worldToClip, const Vector3& eye, ViewRays& rays);
 
