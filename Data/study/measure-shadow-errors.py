@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures the shadow techniques' errors that the technique "auto" is calibrated by.
 
-usage: measure-shadow-errors.py PENUMBRA_RENDER FOLDER   FOLDER: bonsai.mhd, engine.mhd, headsq.mhd
+usage: measure-shadow-errors.py PENUMBRA_RENDER FOLDER   FOLDER: aneurism.mhd, bonsai.mhd, engine.mhd, headsq.mhd, stent.mhd
 Writes ShadowErrors.inc and SteepShadowErrors.inc, which belong into Modules/Rendering.
 
 Errors are root mean squares over a picture of 256 x 256 pixels, in grey levels of 255, against rays of
@@ -15,7 +15,8 @@ SHAPES = {"fog": [[0, 0], [1, 0.03]], "soft": [[0, 0], [0.4, 0.06], [1, 0.3]],
           "dense": [[0, 0], [0.15, 0.05], [1, 0.8]],
           "bone": [[0, 0], [0.12, 0.35], [0.4, 0.75], [1, 0.95]], "opaque": [[0, 0], [0.02, 0.9], [1, 0.98]]}
 SCENES = [("engine", "fog"), ("engine", "soft"), ("engine", "dense"), ("bonsai", "dense"), ("engine", "bone"), ("engine", "opaque"), ("bonsai", "soft"),
-          ("bonsai", "bone"), ("headsq", "soft"), ("headsq", "bone")]
+          ("bonsai", "bone"), ("headsq", "soft"), ("headsq", "bone"), ("aneurism", "dense"), ("aneurism", "bone"),
+          ("stent", "dense"), ("stent", "bone")]
 PLAIN = ["shadows.resolution=1", "shadows.nearSteps=0"]
 FINE = ["shadows.resolution=1", "shadows.nearSteps=4"]
 COARSE = ["shadows.resolution=0.5", "shadows.nearSteps=0"]
