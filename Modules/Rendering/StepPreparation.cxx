@@ -62,8 +62,9 @@ void PrepareSteps(const SampleDistances& distances, int nearSteps, DrawnScene& s
   task.ShadowMaps = scene.MapsOfShadows.Lights > 0;
   task.ShadowNearSteps = nearSteps;
   task.ShadowedLights = needs.GetNumberOfShadowedLights() - task.LookedUpShadows;
-  task.LookupIterations =
-    needs.Opacity == TransferFunctionLookup::Points ? textures.GetTransferFunctions().GetLookupIterations() : 0;
+  task.LookupIterations = needs.Opacity == TransferFunctionLookup::Points
+    ? textures.GetTransferFunctions().GetLookupIterations()
+    : 0;
   task.ClippingPlanes = needs.ClippingPlanes;
   scene.Plan = PlanMarching(task);
   if (scene.Plan.Coarsened)
