@@ -55,6 +55,8 @@ void ShowKeys(QWidget* parent)
                 "<tr><td><b>R</b></td><td>reset the camera</td></tr>"
                 "<tr><td><b>1 to 6</b></td><td>look from front, back, left, right, above, "
                 "below</td></tr>"
+                "<tr><td><b>L, C</b></td><td>drag the selected light, the clipping in the "
+                "view</td></tr>"
                 "<tr><td><b>Ctrl+L</b></td><td>add a directional light</td></tr>"
                 "<tr><td><b>Ctrl+Shift+L</b></td><td>remove the selected light</td></tr>"
                 "<tr><td><b>Arrow keys on the ball</b></td><td>turn the light</td></tr>"

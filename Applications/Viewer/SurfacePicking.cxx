@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -109,6 +110,22 @@ std::optional<Vector3> FindSurface(
     }
   }
   return std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+std::optional<Vector3> FindSurfaceAt(const SceneDescription& scene, vtkImageData* image,
+  vtkRenderer* renderer, const std::array<double, 2>& pixel)
+{
+  const auto toWorld = [&](double depth)
+  {
+    double point[4];
+    renderer->SetDisplayPoint(pixel[0], pixel[1], depth);
+    renderer->DisplayToWorld();
+    renderer->GetWorldPoint(point);
+    return Vector3{ point[0] / point[3], point[1] / point[3], point[2] / point[3] };
+  };
+  const Vector3 near = toWorld(0.0);
+  return FindSurface(scene, image, near, Difference(toWorld(1.0), near));
 }
 
 }

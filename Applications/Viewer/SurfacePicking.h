@@ -11,6 +11,7 @@
 #include <optional>
 
 class vtkImageData;
+class vtkRenderer;
 
 namespace penumbra
 {
@@ -21,6 +22,10 @@ namespace penumbra
  */
 std::optional<Vector3> FindSurface(
   const SceneDescription& scene, vtkImageData* image, const Vector3& eye, const Vector3& direction);
+
+/// The same as seen in a pixel of a renderer's window, from the lower left.
+std::optional<Vector3> FindSurfaceAt(const SceneDescription& scene, vtkImageData* image,
+  vtkRenderer* renderer, const std::array<double, 2>& pixel);
 
 }
 

@@ -111,8 +111,9 @@ void ViewDecorations::Attach(vtkRenderer* renderer, bool isPatient, const std::s
   this->Unit = unit;
   this->SetLetters(isPatient);
   this->Marker->SetDefaultRenderer(renderer);
-  this->ShowOrientation(this->OrientationShown);
-  this->ShowScaleBar(this->ScaleBarShown);
+  renderer->AddActor2D(this->Bar);
+  renderer->AddActor2D(this->BarText);
+  this->Refresh();
 }
 
 //------------------------------------------------------------------------------
@@ -131,30 +132,39 @@ void ViewDecorations::Detach()
 void ViewDecorations::ShowOrientation(bool shown)
 {
   this->OrientationShown = shown;
-  if (this->Renderer)
-  {
-    this->Marker->SetEnabled(shown);
-    if (shown)
-    {
-      this->Marker->InteractiveOff();
-    }
-  }
+  this->Refresh();
 }
 
 //------------------------------------------------------------------------------
 void ViewDecorations::ShowScaleBar(bool shown)
 {
   this->ScaleBarShown = shown;
-  if (this->Renderer)
+  this->Refresh();
+}
+
+//------------------------------------------------------------------------------
+void ViewDecorations::Hide(bool hidden)
+{
+  this->Hidden = hidden;
+  this->Refresh();
+}
+
+//------------------------------------------------------------------------------
+void ViewDecorations::Refresh()
+{
+  if (!this->Renderer)
   {
-    this->Renderer->RemoveActor2D(this->Bar);
-    this->Renderer->RemoveActor2D(this->BarText);
-    if (shown)
-    {
-      this->Renderer->AddActor2D(this->Bar);
-      this->Renderer->AddActor2D(this->BarText);
-    }
+    return;
   }
+  const bool hasMarker = this->OrientationShown && !this->Hidden;
+  this->Marker->SetEnabled(hasMarker);
+  if (hasMarker)
+  {
+    this->Marker->InteractiveOff();
+  }
+  const bool hasBar = this->ScaleBarShown && !this->Hidden;
+  this->Bar->SetVisibility(hasBar);
+  this->BarText->SetVisibility(hasBar);
 }
 
 //------------------------------------------------------------------------------

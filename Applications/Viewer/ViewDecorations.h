@@ -38,14 +38,16 @@ public:
 
   void ShowOrientation(bool shown);
   void ShowScaleBar(bool shown);
-  bool HasOrientation() const { return this->OrientationShown; }
-  bool HasScaleBar() const { return this->ScaleBarShown; }
+
+  /// Takes all of it away for a while.
+  void Hide(bool hidden);
 
   /// To be called before each frame: the bar has a round length at the focal point.
   void FitScaleBar();
 
 private:
   void SetLetters(bool isPatient);
+  void Refresh();
 
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkNew<vtkOrientationMarkerWidget> Marker;
@@ -56,6 +58,7 @@ private:
   std::string Unit;
   bool OrientationShown = true;
   bool ScaleBarShown = true;
+  bool Hidden = false;
 };
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above `length`.

@@ -11,9 +11,8 @@
 
 #include "LightEdits.h"
 #include "SceneDescription.h"
-#include "ViewQuality.h"
+#include "ViewDrawing.h"
 
-#include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <vtkNew.h>
@@ -53,14 +52,13 @@ public:
   std::array<int, 2> GetPictureSize() const;
 
   /// The whole picture of the scene, without decorations, drawn at once.
-  vtkSmartPointer<vtkImageData> TakePicture();
+  vtkSmartPointer<vtkImageData> TakePicture() { return this->Drawing.TakePicture(); }
 
   /// Whether what is seen is the whole picture of the scene as it is now.
-  bool IsRefined() const { return this->Refined; }
+  bool IsRefined() const { return this->Drawing.IsRefined(); }
 
   ViewOverlay* GetOverlay() { return this->Overlay.get(); }
   ViewDecorations* GetDecorations() { return this->Decorations.get(); }
-  const ViewQuality& GetQuality() const { return this->Quality; }
 
   /// Draws soon: coarsely, if whole frames are slow, and when nothing moves any more as a whole.
   void ScheduleFrame();
@@ -78,19 +76,13 @@ protected:
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void paintGL() override;
+  void resizeGL(int width, int height) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
   void ShowOpened();
   void Forget();
   void ShowChanged();
-  void DrawMoving();
-  void Refine();
-  int FindStillDistance() const;
-  bool ShadowsChange() const;
-  void Draw(int distance);
-  int FindMovingDistance();
-  void SetRayDistance(int distance);
   void AttachDecorations();
   void TellWarnings();
 
@@ -100,13 +92,7 @@ private:
   std::unique_ptr<ViewDecorations> Decorations;
   std::unique_ptr<ViewOverlay> Overlay;
   RendererChoice Renderer = RendererChoice::Penumbra;
-  ViewQuality Quality;
-  double SecondsOfLastWholeFrame = 0.0;
-  bool SceneChanged = false;
-  QTimer FrameTimer;
-  QTimer RefineTimer;
-  int Distance = 1;
-  bool Refined = false;
+  ViewDrawing Drawing;
 };
 
 }

@@ -1,0 +1,119 @@
+#include "Catch.h"
+#include "ImageComparison.h"
+#include "Picture.h"
+#include "SceneRendering.h"
+#include "StillFrame.h"
+#include "ViewDecorations.h"
+#include "ViewerSession.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QTimer>
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkIlluminatedVolumeMapper.h>
+#include <vtkImageData.h>
+
+using namespace penumbra;
+
+namespace
+{
+struct SlowSession : ViewerSession
+{
+  // Whole pictures take long enough for strips.
+  SlowSession()
+  {
+    REQUIRE(this->Open(this->Files.File));
+    this->Document.Edit("edit",
+      [](SceneDescription& scene)
+      {
+        scene.SampleDistance = 0.05;
+        scene.Shadows.Technique = TechniqueChoice::Rays;
+      });
+  }
+
+  // Waits for the whole picture. Returns how long it took by its own account.
+  double WaitForPicture()
+  {
+    double seconds = 0.0;
+    const auto connection = QObject::connect(this->Window.GetView(), &VolumeView::refined,
+      [&seconds](double passed) { seconds = passed; });
+    WaitFor([&] { return seconds > 0.0; });
+    QObject::disconnect(connection);
+    return seconds;
+  }
+
+  vtkSmartPointer<vtkImageData> ReadView()
+  {
+    return ReadPicture(this->Window.GetView()->renderWindow());
+  }
+};
+}
+
+TEST_CASE("A frame that is drawn in strips is the whole frame", "[still]")
+{
+  ViewerSession session;
+  REQUIRE(session.Open(session.Files.File));
+  const auto whole = session.TakePicture();
+  SceneRendering* rendering = session.Window.GetView()->GetRendering();
+  session.Window.GetView()->GetDecorations()->Hide(true);
+  StillFrame still;
+  still.Begin(rendering->GetRenderer(), rendering->GetIlluminatedMapper(), 7);
+  int strips = 1;
+  while (!still.DrawNext())
+  {
+    ++strips;
+  }
+  CHECK(strips == 7);
+  CHECK(still.GetSeconds() > 0.0);
+  session.Window.GetView()->GetDecorations()->Hide(false);
+  still.DrawOver();
+  still.End();
+  const auto drawn = ReadPicture(session.Window.GetView()->renderWindow());
+  CHECK(CompareImages(session.TakePicture(), whole).rmse == 0.0);
+  WaitFor([&] { return session.Window.GetView()->IsRefined(); });
+  // With the cube and the scale bar, as the view is drawn at once.
+  CHECK(CompareImages(drawn, ReadPicture(session.Window.GetView()->renderWindow())).rmse == 0.0);
+}
+
+TEST_CASE("Events are answered while a slow picture is drawn", "[still]")
+{
+  SlowSession session;
+  session.WaitForPicture(); // its time is known from now on
+  QElapsedTimer clock;
+  qint64 longest = 0;
+  QTimer beat;
+  QObject::connect(&beat, &QTimer::timeout,
+    [&]
+    {
+      longest = std::max(longest, clock.elapsed());
+      clock.start();
+    });
+  session.Window.GetView()->ScheduleFrame();
+  clock.start();
+  beat.start(5);
+  const double seconds = session.WaitForPicture();
+  CAPTURE(seconds, longest);
+  REQUIRE(seconds > 0.4);
+  CHECK(longest / 1000.0 < seconds / 2.0);
+}
+
+TEST_CASE("What happens while a slow picture is drawn is in the next one", "[still]")
+{
+  SlowSession session;
+  session.WaitForPicture();
+  const auto before = session.ReadView();
+  VolumeView* view = session.Window.GetView();
+  const CameraDescription camera = view->GetCamera();
+  view->ScheduleFrame();
+  REQUIRE(WaitFor([&] { return !view->updatesEnabled(); })); // strips are being drawn
+  QKeyEvent key(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier);
+  QApplication::sendEvent(view, &key);
+  CHECK(view->updatesEnabled());
+  session.WaitForPicture();
+  CHECK(CompareImages(before, session.ReadView()).rmse > 2.0);
+  view->SetCamera(camera);
+  session.WaitForPicture();
+  CHECK(CompareImages(before, session.ReadView()).rmse == 0.0);
+}
