@@ -33,9 +33,10 @@ constexpr int StillMilliseconds = 250;
 constexpr double LongestFrame = 3.0;
 constexpr double LongestQuickFrame = 1.0;
 constexpr int LongStillMilliseconds = 1000;
-// A strip of a whole frame is to take no longer: half of what people notice as a delay.
-constexpr double SecondsOfStrip = 0.05;
-constexpr int MostStrips = 100;
+// A strip of a whole frame is to take no longer than people notice as a delay. Each costs some time
+// of its own.
+constexpr double SecondsOfStrip = 0.1;
+constexpr int MostStrips = 40;
 
 vtkGPUVolumeRayCastMapper* MapperOf(SceneRendering* rendering)
 {
@@ -211,10 +212,11 @@ void ViewDrawing::Render(int distance)
 void ViewDrawing::BeginStrips()
 {
   auto* const mapper = this->CanDraw() ? this->Rendering->GetIlluminatedMapper() : nullptr;
-  const int strips =
-    static_cast<int>(std::ceil(this->Quality.GetSecondsOfWholeFrame() / SecondsOfStrip));
-  // A frame that is made in parts along its rays is made as a whole.
-  if (!mapper || strips < 2 || mapper->GetNumberOfDraws() > 1)
+  const double seconds = this->SecondsOfLastWholeFrame > 0.0
+    ? this->SecondsOfLastWholeFrame
+    : this->Quality.GetSecondsOfWholeFrame();
+  const int strips = static_cast<int>(std::ceil(seconds / SecondsOfStrip));
+  if (!mapper || strips < 2)
   {
     this->Draw(1);
     return;

@@ -53,6 +53,7 @@ bool AccumulationBuffer::Gather(vtkOpenGLRenderWindow* window, const Viewport& v
   vtkOpenGLState* state = window->GetState();
   {
     vtkOpenGLState::ScopedglViewport savedViewport(state);
+    vtkOpenGLState::ScopedglScissor savedScissor(state);
     vtkOpenGLState::ScopedglEnableDisable savedScissorTest(state, GL_SCISSOR_TEST);
     vtkOpenGLState::ScopedglClearColor savedClearColor(state);
     vtkOpenGLState::ScopedglColorMask savedColorMask(state);
@@ -60,7 +61,17 @@ bool AccumulationBuffer::Gather(vtkOpenGLRenderWindow* window, const Viewport& v
     state->PushDrawFramebufferBinding();
     this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    state->vtkglDisable(GL_SCISSOR_TEST);
+    if (width == viewport.Width && height == viewport.Height)
+    {
+      // What is cut off in the window needs not be gathered.
+      int box[4];
+      state->vtkglGetIntegerv(GL_SCISSOR_BOX, box);
+      state->vtkglScissor(box[0] - viewport.X, box[1] - viewport.Y, box[2], box[3]);
+    }
+    else
+    {
+      state->vtkglDisable(GL_SCISSOR_TEST);
+    }
     this->Clear(window, 1);
     for (int i = 0; i < draws; ++i)
     {

@@ -53,10 +53,20 @@ struct SlowSession : ViewerSession
 
 TEST_CASE("A frame that is drawn in strips is the whole frame", "[still]")
 {
+  // Steps so short that a ray takes several draws, too.
+  const double step = GENERATE(0.5, 0.1);
   ViewerSession session;
   REQUIRE(session.Open(session.Files.File));
+  session.Document.Edit("edit",
+    [=](SceneDescription& scene)
+    {
+      scene.SampleDistance = step;
+      scene.Shadows.SampleDistance = step;
+      scene.Shadows.Technique = TechniqueChoice::Rays;
+    });
   const auto whole = session.TakePicture();
   SceneRendering* rendering = session.Window.GetView()->GetRendering();
+  CHECK((rendering->GetIlluminatedMapper()->GetNumberOfDraws() > 1) == (step < 0.5));
   session.Window.GetView()->GetDecorations()->Hide(true);
   StillFrame still;
   still.Begin(rendering->GetRenderer(), rendering->GetIlluminatedMapper(), 7);
@@ -73,8 +83,10 @@ TEST_CASE("A frame that is drawn in strips is the whole frame", "[still]")
   const auto drawn = ReadPicture(session.Window.GetView()->renderWindow());
   CHECK(CompareImages(session.TakePicture(), whole).rmse == 0.0);
   WaitFor([&] { return session.Window.GetView()->IsRefined(); });
-  // With the cube and the scale bar, as the view is drawn at once.
-  CHECK(CompareImages(drawn, ReadPicture(session.Window.GetView()->renderWindow())).rmse == 0.0);
+  // With the cube and the scale bar, as the view is drawn at once; a few pixels that several draws
+  // gather are rounded to the next level.
+  const auto view = ReadPicture(session.Window.GetView()->renderWindow());
+  CHECK(CompareImages(drawn, view).rmse <= (step < 0.5 ? 0.02 : 0.0));
 }
 
 TEST_CASE("Events are answered while a slow picture is drawn", "[still]")
@@ -95,7 +107,7 @@ TEST_CASE("Events are answered while a slow picture is drawn", "[still]")
   beat.start(5);
   const double seconds = session.WaitForPicture();
   CAPTURE(seconds, longest);
-  REQUIRE(seconds > 0.4);
+  REQUIRE(seconds > 0.3);
   CHECK(longest / 1000.0 < seconds / 2.0);
 }
 
