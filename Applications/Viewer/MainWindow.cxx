@@ -1,55 +1,35 @@
 #include "MainWindow.h"
 
-#include "AboutDialog.h"
-#include "AppearancePanel.h"
-#include "ClippingForm.h"
-#include "ClippingHandles.h"
 #include "FileActions.h"
 #include "InformationPanel.h"
-#include "LightHandle.h"
 #include "LightPanel.h"
 #include "MessageBar.h"
 #include "PictureActions.h"
-#include "PipelineTree.h"
-#include "PropertyForm.h"
 #include "RawImportDialog.h"
 #include "ReadingProgress.h"
 #include "RecentFiles.h"
-#include "RenderingForm.h"
 #include "SceneDocument.h"
 #include "SceneOpening.h"
-#include "ScrollableArea.h"
 #include "SeriesDialog.h"
 #include "StartPage.h"
-#include "ViewActions.h"
+#include "ViewHandles.h"
 #include "VolumeView.h"
+#include "WindowMenus.h"
+#include "WindowPanels.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLabel>
-#include <QMenuBar>
 #include <QMimeData>
-#include <QScrollArea>
 #include <QSettings>
 #include <QStackedLayout>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QVBoxLayout>
 
 namespace penumbra
 {
-namespace
-{
-constexpr int RightWidth = 345;
-constexpr int LeftWidth = 240;
-constexpr int TreeHeight = 260;
-constexpr int InformationHeight = 440;
-}
-
 //------------------------------------------------------------------------------
 MainWindow::MainWindow(const std::filesystem::path& dicomParser, QWidget* parent)
   : QMainWindow(parent)
@@ -62,8 +42,11 @@ MainWindow::MainWindow(const std::filesystem::path& dicomParser, QWidget* parent
 {
   this->setAcceptDrops(true);
   this->MakeMiddle();
-  this->MakePanels();
-  this->MakeMenus();
+  this->Handles = new ViewHandles(this->Document, this->View, this);
+  this->Panels =
+    new WindowPanels(this, this->Document, this->View, this->Handles->GetClippingAction());
+  FillMenus(
+    this, { this->Document, this->View, this->Files, this->Pictures, this->Handles, this->Panels });
   this->Connect();
   this->ShowTitle();
 }
@@ -71,8 +54,25 @@ MainWindow::MainWindow(const std::filesystem::path& dicomParser, QWidget* parent
 //------------------------------------------------------------------------------
 MainWindow::~MainWindow()
 {
-  delete this->Handle; // before the view
-  delete this->Clipping;
+  delete this->Handles; // before the view
+}
+
+//------------------------------------------------------------------------------
+LightPanel* MainWindow::GetLightPanel()
+{
+  return this->Panels->GetLights();
+}
+
+//------------------------------------------------------------------------------
+AppearancePanel* MainWindow::GetAppearance()
+{
+  return this->Panels->GetAppearance();
+}
+
+//------------------------------------------------------------------------------
+LightHandle* MainWindow::GetLightHandle()
+{
+  return this->Handles->GetLight();
 }
 
 //------------------------------------------------------------------------------
@@ -95,126 +95,6 @@ void MainWindow::MakeMiddle()
 }
 
 //------------------------------------------------------------------------------
-QDockWidget* MainWindow::AddPanel(
-  const QString& title, const QString& name, Qt::DockWidgetArea area, QWidget* content)
-{
-  auto* const dock = new QDockWidget(title, this);
-  dock->setObjectName(name);
-  dock->setWidget(content);
-  this->addDockWidget(area, dock);
-  return dock;
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::MakePanels()
-{
-  auto* const tree = new PipelineTree(this->Document, this);
-  QDockWidget* pipeline =
-    this->AddPanel(tr("Pipeline"), "pipelineDock", Qt::LeftDockWidgetArea, tree);
-  this->Information = new InformationPanel(this->Document, this);
-  this->InformationDock = this->AddPanel(tr("Information"), "informationDock",
-    Qt::LeftDockWidgetArea, MakeScrollable(this->Information));
-  this->Lights = new LightPanel(this->Document, this->View, this);
-  this->LightDock =
-    this->AddPanel(tr("Lights"), "lightDock", Qt::RightDockWidgetArea, this->Lights);
-
-  this->Appearance = new AppearancePanel(this->Document, this->View, this);
-  this->AppearanceDock =
-    this->AddPanel(tr("Appearance"), "appearanceDock", Qt::RightDockWidgetArea, this->Appearance);
-  auto* const rendering = new PropertyForm(this->Document, this);
-  FillRenderingForm(rendering, this->Document, this->View);
-  this->Clipping = new ClippingHandles(this->Document, this->View, this);
-  this->DragClipping = new QAction(tr("Drag the &clipping in the view"), this);
-  this->DragClipping->setObjectName("dragClipping");
-  this->DragClipping->setShortcut(tr("C"));
-  this->DragClipping->setCheckable(true);
-  this->DragClipping->setToolTip(
-    tr("The clipping box and planes in the view: drag a ball to cut more or less, an arrow to turn "
-       "a plane"));
-  this->connect(this->DragClipping, &QAction::toggled, this->Clipping, &ClippingHandles::Show);
-  FillClippingForm(rendering, this->Document, this->View, this->DragClipping);
-  this->RenderingDock = this->AddPanel(
-    tr("Rendering"), "renderingDock", Qt::RightDockWidgetArea, MakeScrollable(rendering));
-  rendering->Refresh();
-  this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  this->tabifyDockWidget(this->LightDock, this->AppearanceDock);
-  this->tabifyDockWidget(this->AppearanceDock, this->RenderingDock);
-  this->LightDock->raise();
-  this->resizeDocks(
-    { this->InformationDock, this->LightDock }, { LeftWidth, RightWidth }, Qt::Horizontal);
-  this->resizeDocks(
-    { pipeline, this->InformationDock }, { TreeHeight, InformationHeight }, Qt::Vertical);
-  this->Handle = new LightHandle(this->Document, this->View, this);
-  this->connect(tree, &PipelineTree::selected, this, &MainWindow::ShowPart);
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::MakeMenus()
-{
-  QToolBar* bar = this->addToolBar(tr("Tools"));
-  bar->setObjectName("toolBar");
-  bar->setMovable(false);
-  QMenu* file = this->menuBar()->addMenu(tr("&File"));
-  this->Files->Fill(file, bar);
-  bar->addSeparator();
-  QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
-  this->MakeEditMenu(edit, bar);
-  this->Pictures->Fill(file, edit);
-  file->addSeparator();
-  file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
-  bar->addSeparator();
-  QMenu* view = this->menuBar()->addMenu(tr("&View"));
-  (new ViewActions(this->Document, this->View, this))->Fill(view, bar);
-  view->addAction(this->DragClipping);
-  QMenu* panels = view->addMenu(tr("Pa&nels"));
-  for (QDockWidget* dock : this->findChildren<QDockWidget*>())
-  {
-    panels->addAction(dock->toggleViewAction());
-  }
-  QMenu* lights = this->menuBar()->addMenu(tr("&Lights"));
-  QMenu* add = lights->addMenu(tr("&Add"));
-  add->addActions(this->Lights->GetAddActions());
-  lights->addAction(this->Lights->GetCopyAction());
-  lights->addAction(this->Lights->GetRemoveAction());
-  lights->addSeparator();
-  QMenu* rigs = lights->addMenu(tr("R&igs"));
-  rigs->addActions(this->Lights->GetRigActions());
-  lights->addAction(this->Lights->GetResetAction());
-  lights->addSeparator();
-  QAction* handle = lights->addAction(tr("&Show the selected light in the view"));
-  handle->setObjectName("showLight");
-  handle->setShortcut(tr("L"));
-  handle->setCheckable(true);
-  handle->setToolTip(tr("A ball in the view that can be dragged to move the light"));
-  this->connect(handle, &QAction::toggled, this->Handle, &LightHandle::Show);
-  QMenu* help = this->menuBar()->addMenu(tr("&Help"));
-  help->addAction(
-    tr("Mouse and &keys"), this, [this] { ShowKeys(this); }, tr("F1"));
-  help->addAction(
-    tr("&About Penumbra"), this, [this] { ShowAbout(this, this->View->renderWindow()); });
-  for (QMenu* menu : this->menuBar()->findChildren<QMenu*>())
-  {
-    menu->setToolTipsVisible(true);
-  }
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::MakeEditMenu(QMenu* menu, QToolBar* bar)
-{
-  QUndoStack* history = this->Document->GetHistory();
-  QAction* undo = history->createUndoAction(this, tr("&Undo"));
-  undo->setShortcut(QKeySequence::Undo);
-  undo->setObjectName("undo");
-  undo->setIcon(this->style()->standardIcon(QStyle::SP_ArrowBack));
-  QAction* redo = history->createRedoAction(this, tr("&Redo"));
-  redo->setShortcuts({ QKeySequence::Redo, QKeySequence(tr("Ctrl+Y")) });
-  redo->setObjectName("redo");
-  redo->setIcon(this->style()->standardIcon(QStyle::SP_ArrowForward));
-  menu->addActions({ undo, redo });
-  bar->addActions({ undo, redo });
-}
-
-//------------------------------------------------------------------------------
 void MainWindow::Connect()
 {
   const auto ask = [this](void (FileActions::*task)())
@@ -230,7 +110,8 @@ void MainWindow::Connect()
   this->connect(this->Document, &SceneDocument::fileChanged, this, &MainWindow::ShowTitle);
   this->connect(
     this->Document->GetHistory(), &QUndoStack::cleanChanged, this, &MainWindow::ShowTitle);
-  this->connect(this->View, &VolumeView::aimed, this->Lights, &LightPanel::AimSelected);
+  this->connect(
+    this->View, &VolumeView::aimed, this->Panels->GetLights(), &LightPanel::AimSelected);
   this->connect(this->View, &VolumeView::refined, this,
     [this](double seconds)
     { this->statusBar()->showMessage(tr("Drawn in %1 s").arg(seconds, 0, 'f', 2)); });
@@ -316,7 +197,7 @@ void MainWindow::ShowOpened(const std::shared_ptr<const OpenedScene>& scene)
       notes << QString::fromStdString(note);
     }
   }
-  this->Information->ShowNotes(notes);
+  this->Panels->GetInformation()->ShowNotes(notes);
   if (!scene->Warnings.empty())
   {
     this->Messages->ShowNotice(QString::fromStdString(scene->Warnings.front()));
@@ -334,16 +215,6 @@ void MainWindow::OfferExample(const std::filesystem::path& scene)
 void MainWindow::ShowError(const QString& text)
 {
   this->Messages->ShowError(text);
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::ShowPart(PipelinePart part)
-{
-  QDockWidget* const docks[] = { this->InformationDock, this->AppearanceDock, this->RenderingDock,
-    this->LightDock };
-  QDockWidget* dock = docks[static_cast<int>(part)];
-  dock->show();
-  dock->raise();
 }
 
 //------------------------------------------------------------------------------

@@ -19,9 +19,7 @@ namespace penumbra
 {
 
 class AppearancePanel;
-class ClippingHandles;
 class FileActions;
-class InformationPanel;
 class LightHandle;
 class LightPanel;
 class MessageBar;
@@ -31,11 +29,12 @@ class RecentFiles;
 class SceneDocument;
 class SceneOpening;
 class StartPage;
+class ViewHandles;
 class VolumeView;
+class WindowPanels;
 struct OpenRequest;
 struct OpenedScene;
 struct SeriesFacts;
-enum class PipelinePart;
 
 class MainWindow : public QMainWindow
 {
@@ -67,9 +66,9 @@ public:
   SceneDocument* GetDocument() { return this->Document; }
   SceneOpening* GetOpening() { return this->Opening; }
   VolumeView* GetView() { return this->View; }
-  LightPanel* GetLightPanel() { return this->Lights; }
-  LightHandle* GetLightHandle() { return this->Handle; }
-  AppearancePanel* GetAppearance() { return this->Appearance; }
+  LightPanel* GetLightPanel();
+  LightHandle* GetLightHandle();
+  AppearancePanel* GetAppearance();
   PictureActions* GetPictures() { return this->Pictures; }
   MessageBar* GetMessageBar() { return this->Messages; }
 
@@ -80,17 +79,11 @@ protected:
 
 private:
   void MakeMiddle();
-  void MakePanels();
-  void MakeMenus();
-  void MakeEditMenu(QMenu* menu, QToolBar* bar);
-  QDockWidget* AddPanel(
-    const QString& title, const QString& name, Qt::DockWidgetArea area, QWidget* content);
   void Connect();
   std::array<int, 2> GetViewSize() const;
   void Start(const OpenRequest& request);
   void ChooseSeries(OpenRequest request, const std::vector<SeriesFacts>& series);
   void ShowOpened(const std::shared_ptr<const OpenedScene>& scene);
-  void ShowPart(PipelinePart part);
   void ShowTitle();
 
   SceneDocument* Document;
@@ -103,16 +96,8 @@ private:
   StartPage* Page = nullptr;
   MessageBar* Messages = nullptr;
   ReadingProgress* Progress = nullptr;
-  InformationPanel* Information = nullptr;
-  LightPanel* Lights = nullptr;
-  LightHandle* Handle = nullptr;
-  ClippingHandles* Clipping = nullptr;
-  QAction* DragClipping = nullptr;
-  AppearancePanel* Appearance = nullptr;
-  QDockWidget* InformationDock = nullptr;
-  QDockWidget* LightDock = nullptr;
-  QDockWidget* AppearanceDock = nullptr;
-  QDockWidget* RenderingDock = nullptr;
+  ViewHandles* Handles = nullptr;
+  WindowPanels* Panels = nullptr;
 };
 
 }

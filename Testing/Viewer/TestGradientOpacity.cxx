@@ -29,11 +29,6 @@ struct GradientSession : ViewerSession
   }
 
   void Switch() { this->Find<QCheckBox>("gradientSwitch")->click(); }
-
-  double ChangeSince(vtkImageData* before)
-  {
-    return CompareImages(before, this->TakePicture()).rmse;
-  }
 };
 }
 

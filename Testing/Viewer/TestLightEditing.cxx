@@ -1,7 +1,6 @@
 #include "Catch.h"
 #include "DirectionBall.h"
 #include "ImageComparison.h"
-#include "LightHandle.h"
 #include "LightPanel.h"
 #include "ViewerSession.h"
 
@@ -29,11 +28,6 @@ struct LightSession : ViewerSession
 
   std::size_t CountLights() { return this->Document.GetScene().Lights.size(); }
   const LightDescription& Light(std::size_t i) { return this->Document.GetScene().Lights[i]; }
-
-  double ChangeSince(vtkImageData* before)
-  {
-    return CompareImages(before, this->TakePicture()).rmse;
-  }
 };
 }
 
@@ -106,7 +100,7 @@ TEST_CASE("Brightness takes numbers with a point or a comma in every language", 
   for (const char* text : { "0.5", "0,5" })
   {
     box->setValue(1.0);
-    box->findChild<QLineEdit*>()->setText(text);
+    TypeText(box->findChild<QLineEdit*>(), text);
     box->interpretText();
     CAPTURE(text);
     CHECK(session.Light(0).Intensity == 0.5);
@@ -140,23 +134,4 @@ TEST_CASE("Rigs replace the lights, and a reset brings back those of the scene",
   session.Window.GetLightPanel()->GetResetAction()->trigger();
   CHECK(session.CountLights() == 1);
   CHECK(session.ChangeSince(before) == 0.0);
-}
-
-TEST_CASE("The selected light is shown in the view, and dragged", "[lights]")
-{
-  LightSession session;
-  const auto before = session.TakePicture();
-  session.Find<QAction>("showLight")->setChecked(true);
-  CHECK(session.ChangeSince(before) == 0.0); // pictures of the scene are without it
-  LightHandle* handle = session.Window.GetLightHandle();
-  const ViewFrame view = session.Window.GetView()->GetFrame();
-  // To the right of what is looked at: the light then comes from the right.
-  handle->Drag(Sum(view.FocalPoint, Scaled(view.Right, 10.0)));
-  CHECK(Length(Difference(session.Light(0).Direction, Scaled(view.Right, -1.0))) ==
-    Approx(0.0).margin(1e-9));
-  CHECK(session.ChangeSince(before) > Seen);
-  session.Find<QAction>("addLight1")->trigger();
-  handle->Drag({ 1.0, 2.0, 3.0 });
-  CHECK(
-    Length(Difference(session.Light(1).Position, { 1.0, 2.0, 3.0 })) == Approx(0.0).margin(1e-9));
 }

@@ -32,11 +32,6 @@ struct TableSession : ViewerSession
     return this->Document.GetScene().TransferFunction;
   }
 
-  double ChangeSince(vtkImageData* before)
-  {
-    return CompareImages(before, this->TakePicture()).rmse;
-  }
-
   // By the keyboard alone: F2, the text, Enter.
   void Type(const char* name, int row, int column, const QString& text)
   {
@@ -45,19 +40,15 @@ struct TableSession : ViewerSession
     this->Press(table, Qt::Key_F2);
     auto* const line = table->viewport()->findChild<QLineEdit*>();
     REQUIRE(line);
-    line->selectAll();
-    for (const QChar letter : text)
-    {
-      this->Press(line, 0, letter);
-    }
+    TypeText(line, text);
     this->Press(line, Qt::Key_Return);
     QApplication::processEvents();
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the editor
   }
 
-  void Press(QWidget* widget, int key, const QString& text = {})
+  void Press(QWidget* widget, int key)
   {
-    QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier, text);
+    QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier);
     QApplication::sendEvent(widget, &event);
   }
 

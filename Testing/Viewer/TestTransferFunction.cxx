@@ -25,11 +25,6 @@ struct AppearanceSession : ViewerSession
   {
     return this->Document.GetScene().TransferFunction;
   }
-
-  double ChangeSince(vtkImageData* before)
-  {
-    return CompareImages(before, this->TakePicture()).rmse;
-  }
 };
 }
 

@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QLineEdit>
 #include <QMouseEvent>
 
 #include <vtkImageData.h>
@@ -29,6 +30,17 @@ bool WaitFor(const std::function<bool()>& condition, double seconds)
     QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
   }
   return condition();
+}
+
+//------------------------------------------------------------------------------
+void TypeText(QLineEdit* line, const QString& text)
+{
+  line->selectAll();
+  for (const QChar letter : text)
+  {
+    QKeyEvent event(QEvent::KeyPress, 0, Qt::NoModifier, letter);
+    QApplication::sendEvent(line, &event);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -111,6 +123,12 @@ vtkSmartPointer<vtkImageData> ViewerSession::TakePicture()
   colors->SetComponents(0, 1, 2);
   colors->Update();
   return colors->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+double ViewerSession::ChangeSince(vtkImageData* before)
+{
+  return CompareImages(before, this->TakePicture()).rmse;
 }
 
 //------------------------------------------------------------------------------

@@ -16,12 +16,17 @@
 #include <functional>
 #include <string>
 
+class QLineEdit;
+
 namespace penumbra
 {
 
 /// Lets the window live until the condition holds; at most so many seconds. Returns whether it
 /// does.
 bool WaitFor(const std::function<bool()>& condition, double seconds = 60.0);
+
+/// Replaces a line's text as the keyboard does, letter by letter.
+void TypeText(QLineEdit* line, const QString& text);
 
 /// A folder with a scene of shells around a ball, 32 voxels wide, under one shadowing light.
 class ShellsScene : public TemporaryFolder
@@ -43,6 +48,9 @@ public:
 
   /// The whole picture of the scene as it is now.
   vtkSmartPointer<vtkImageData> TakePicture();
+
+  /// How far it is from an earlier picture, as a root mean square of 255 grey levels.
+  double ChangeSince(vtkImageData* before);
 
   /// Presses the left button at a place of the scene, moves to another and lets go.
   void DragInView(const Vector3& from, const Vector3& to);
