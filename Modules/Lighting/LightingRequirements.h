@@ -117,8 +117,10 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   /// Lights whose diffuse or specular term can change the picture, by kind and shadow state.
   std::array<std::array<int, NumberOfShadowKinds>, NumberOfLightKinds> Lights{};
   ShadowTechnique Technique = ShadowTechnique::Rays;
-  /// Of kept shadows: the first steps towards the lights are marched, or some lights' rays whole.
+  /// Of kept shadows: rays are marched for many steps first, or those of some lights whole.
   bool NearShadowRays = false;
+  /// Of kept shadows: how many steps towards every light are marched first, where they are few.
+  int NearShadowSteps = 0;
   ReflectionModel Reflection = ReflectionModel::Phong;
   GradientEstimator Gradient = GradientEstimator::CentralDifferences;
   /// Gradients are looked up, not estimated at each sample.
@@ -162,7 +164,8 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   bool NeedsShadowRays() const
   {
     return this->GetNumberOfShadowedLights() > 0 &&
-      (this->Technique == ShadowTechnique::Rays || this->NearShadowRays);
+      (this->Technique == ShadowTechnique::Rays || this->NearShadowRays ||
+        this->NearShadowSteps > 0);
   }
   bool HasFresnelTerm() const { return this->Reflection == ReflectionModel::CookTorrance; }
   bool HasPreferredDirection() const

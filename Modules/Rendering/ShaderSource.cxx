@@ -49,6 +49,9 @@
 #include "GlslMarchToMatter.h"
 #include "GlslMaskBinary.h"
 #include "GlslMaskNone.h"
+#include "GlslNearShadowNone.h"
+#include "GlslNearShadowRay.h"
+#include "GlslNearShadowSteps.h"
 #include "GlslNormal.h"
 #include "GlslOpacityIntegral.h"
 #include "GlslOpacityPoints.h"
@@ -80,6 +83,7 @@
 #include "GlslShadowMapFill.h"
 #include "GlslShadowRay.h"
 #include "GlslShadowSoft.h"
+#include "GlslShadowStep.h"
 #include "GlslShadowVolumeFill.h"
 #include "GlslSidesOne.h"
 #include "GlslSidesTwo.h"
@@ -140,6 +144,11 @@ template <ShadowTechnique Technique>
 bool ShadowedBy(const Needs& needs, bool)
 {
   return Shadowed(needs) && needs.Technique == Technique;
+}
+
+bool KeepsShadows(const Needs& needs)
+{
+  return Shadowed(needs) && needs.Technique != ShadowTechnique::Rays;
 }
 
 // A map of first hits tells hard shadows only; soft ones take a deep map then.
@@ -217,7 +226,14 @@ const Snippet PictureSnippets[] = {
   { GlslSpecularFresnel,
     [](const Needs& n, bool) { return Lit(n) && n.Specular && n.HasFresnelTerm(); } },
   { GlslLights, [](const Needs& n, bool) { return Lit(n); } },
-  { GlslShadowRay, [](const Needs& n, bool) { return n.NeedsShadowRays(); } },
+  { GlslShadowStep, [](const Needs& n, bool) { return n.NeedsShadowRays(); } },
+  { GlslShadowRay,
+    [](const Needs& n, bool) { return n.NeedsShadowRays() && n.NearShadowSteps == 0; } },
+  { GlslNearShadowNone,
+    [](const Needs& n, bool) { return KeepsShadows(n) && !n.NeedsShadowRays(); } },
+  { GlslNearShadowSteps,
+    [](const Needs& n, bool) { return KeepsShadows(n) && n.NearShadowSteps > 0; } },
+  { GlslNearShadowRay, [](const Needs& n, bool) { return KeepsShadows(n) && n.NearShadowRays; } },
   { GlslShadowDepthRay, ShadowedBy<ShadowTechnique::Rays> },
   { GlslShadowDepthVolume, ShadowedBy<ShadowTechnique::Volume> },
   { GlslLightSpace, LooksUpMaps },
@@ -342,7 +358,7 @@ std::string GetFragmentShaderSource(const LightingRequirements& requirements, bo
 {
   std::string source = FragmentHead;
   source += DefineLightGroups(requirements);
-  source += Define("SHADOW_RAYS", requirements.NeedsShadowRays() ? 1 : 0);
+  source += Define("NEAR_SHADOW_STEPS", requirements.NearShadowSteps);
   source += Define("CLIPPING_PLANES", requirements.ClippingPlanes);
   source += Define("WHOLE_SEGMENTS", requirements.NeedsWholeSegments() ? 1 : 0);
   Append(source, MatterSnippets, requirements, continued);
@@ -375,13 +391,15 @@ std::string GetShadowVolumeSource(const LightingRequirements& requirements)
 {
   const char* const emptyAround =
     requirements.EmptySpaceSkipping ? GlslEmptyAroundMap : GlslEmptyAroundNone;
-  return GetFillSource(requirements, { GlslShadowRay, emptyAround, GlslShadowVolumeFill });
+  return GetFillSource(
+    requirements, { GlslShadowStep, GlslShadowRay, emptyAround, GlslShadowVolumeFill });
 }
 
 //------------------------------------------------------------------------------
 std::string GetShadowMapSource(const LightingRequirements& requirements)
 {
-  return GetFillSource(requirements, { GlslShadowRay, GlslLightSpace, GlslShadowMapFill });
+  return GetFillSource(
+    requirements, { GlslShadowStep, GlslShadowRay, GlslLightSpace, GlslShadowMapFill });
 }
 
 //------------------------------------------------------------------------------

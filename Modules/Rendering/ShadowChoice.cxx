@@ -129,6 +129,8 @@ double PredictShadowCost(ShadowOption option, const ShadowChoiceTask& task)
   constexpr double marchedPart = 0.25;
   constexpr double volumeLookUp = 1.0;
   constexpr double mapLookUp = 5.0;
+  // In a row, with no look for an earlier end.
+  constexpr double nearStep = 0.5;
   const double lights = task.SoftLights + task.HardLights;
   const double samples = lights * task.Pixels * CountLitSamples(task);
   const double ray = marchedPart * task.VoxelsAcross;
@@ -139,12 +141,12 @@ double PredictShadowCost(ShadowOption option, const ShadowChoiceTask& task)
   }
   if (settings.Technique == ShadowTechnique::DeepMap)
   {
-    return samples * (mapLookUp + settings.NearSteps) +
+    return samples * (mapLookUp + nearStep * settings.NearSteps) +
       lights * task.VoxelsAcross * task.VoxelsAcross * task.VoxelsAcross / pictures;
   }
   const double texels = lights * task.Voxels * task.Occupied * std::pow(settings.Resolution, 3) *
     GetTexelRatio(settings, task);
-  return samples * (volumeLookUp + settings.NearSteps) +
+  return samples * (volumeLookUp + nearStep * settings.NearSteps) +
     texels * 2.0 * ray * settings.Resolution / pictures;
 }
 

@@ -105,6 +105,7 @@ void KeepNothing(vtkOpenGLRenderWindow* window, DrawnScene& scene, VolumeDrawing
   scene.ShadowCasters.clear();
   scene.Requirements.Technique = ShadowTechnique::Rays;
   scene.Requirements.NearShadowRays = false;
+  scene.Requirements.NearShadowSteps = 0;
   MakeRoom({}, window, scene, drawing);
 }
 }
@@ -129,7 +130,11 @@ void PrepareShadows(const ShadowSettings& settings, vtkOpenGLRenderWindow* windo
     KeepNothing(window, scene, drawing);
     return;
   }
-  scene.Requirements.NearShadowRays = settings.NearSteps > 0 || room.Lights < casters;
+  // As many in a row make a program that is not too long.
+  constexpr int few = 8;
+  const bool inARow = room.Lights == casters && settings.NearSteps <= few;
+  scene.Requirements.NearShadowRays = !inARow;
+  scene.Requirements.NearShadowSteps = inARow ? settings.NearSteps : 0;
   scene.ShadowCasters.resize(room.Lights);
   scene.LightSpaces.resize(std::min<std::size_t>(scene.LightSpaces.size(), room.Lights));
   if (room.Coarsened)

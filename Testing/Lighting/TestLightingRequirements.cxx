@@ -19,6 +19,7 @@ const std::vector<Change> changes = {
   [](LightingRequirements& r) { r.Lights[2][1] = 3; },
   [](LightingRequirements& r) { r.Technique = static_cast<ShadowTechnique>(7); },
   [](LightingRequirements& r) { r.NearShadowRays = true; },
+  [](LightingRequirements& r) { r.NearShadowSteps = 3; },
   [](LightingRequirements& r) { r.Reflection = static_cast<ReflectionModel>(7); },
   [](LightingRequirements& r) { r.Gradient = static_cast<GradientEstimator>(7); },
   [](LightingRequirements& r) { r.GradientTexture = true; },
@@ -49,17 +50,17 @@ TEST_CASE("Requirements are equal when every field is, and differ when any does"
 {
   // A new field does not compile here, so that it cannot be forgotten above.
   const LightingRequirements base;
-  const auto& [optics, lights, technique, near, reflection, gradient, gradientTexture, fading,
-    diffuse, specular, sides, attenuation, gradientOpacity, planes, cropping, mask, opacity,
+  const auto& [optics, lights, technique, near, nearSteps, reflection, gradient, gradientTexture,
+    fading, diffuse, specular, sides, attenuation, gradientOpacity, planes, cropping, mask, opacity,
     preIntegrated, emptySpace] = base;
   CHECK_FALSE((diffuse || specular || sides || attenuation || gradientOpacity || mask));
-  CHECK_FALSE((gradientTexture || fading || preIntegrated || emptySpace || near));
+  CHECK_FALSE((gradientTexture || fading || preIntegrated || emptySpace || near || nearSteps > 0));
   CHECK(optics == OpticalModel::AbsorptionEmission);
   CHECK(
     (planes == 0 && cropping == CroppingKind::None && opacity == TransferFunctionLookup::Table));
   CHECK((lights == decltype(base.Lights){} && static_cast<int>(technique) == 0 &&
     static_cast<int>(reflection) == 0 && static_cast<int>(gradient) == 0));
-  CHECK(changes.size() == 19);
+  CHECK(changes.size() == 20);
 
   for (const Change& change : changes)
   {

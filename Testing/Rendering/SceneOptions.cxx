@@ -162,7 +162,9 @@ void SceneOptions::ExpectReflection(LightingRequirements& needs) const
   if (needs.GetNumberOfShadowedLights() > 0)
   {
     needs.Technique = this->technique;
-    needs.NearShadowRays = this->technique != ShadowTechnique::Rays;
+    const int nearSteps = this->technique != ShadowTechnique::Rays ? this->nearShadowSteps : 0;
+    needs.NearShadowRays = nearSteps > 8;
+    needs.NearShadowSteps = needs.NearShadowRays ? 0 : nearSteps;
   }
   const bool lit = needs.GetNumberOfLights() > 0;
   needs.Diffuse = (lit || mirrors) && this->diffuse;
@@ -198,6 +200,7 @@ void SetOptions(IlluminatedScene& scene, const SceneOptions& options)
   scene.Mapper->SetSkipEmptySpace(options.emptySpace);
   scene.Mapper->SetShadowTechnique(
     vtkIlluminatedVolumeMapper::Rays + static_cast<int>(options.technique));
+  scene.Mapper->SetShadowNearSteps(options.nearShadowSteps);
   scene.Mapper->SetGradientEstimator(static_cast<int>(options.gradient));
   scene.Mapper->SetGradientTextureBits(options.gradientTexture ? 8 : 0);
   vtkVolumeProperty* property = scene.Volume->GetProperty();

@@ -22,6 +22,8 @@ struct SceneOptions
   /// As many lights of each kind and shadow state.
   std::array<std::array<int, NumberOfShadowKinds>, NumberOfLightKinds> lights{};
   ShadowTechnique technique = ShadowTechnique::Rays;
+  /// Of techniques that keep shadows; up to 8 are marched in a row.
+  int nearShadowSteps = 4;
   bool diffuse = true;
   bool specular = true;
   bool twoSided = true;

@@ -31,7 +31,7 @@ const std::map<std::string, std::vector<std::string>> Symbols = {
   { "soft shadows", { "softVisibility" } },
   { "hard shadows", { "hardVisibility" } },
   { "shadow technique", { "ShadowSegment towardsLight" } },
-  { "shadow rays", { "opticalDepth", "scene_shadowSampleDistance" } },
+  { "shadow rays", { "shadowStepDepth", "scene_shadowSampleDistance" } },
 };
 
 // What one reflection model's source has and no other's.

@@ -17,7 +17,7 @@ constexpr int LightOptions = NumberOfLightKinds * NumberOfShadowKinds;
 std::vector<int> GetLitLevels()
 {
   std::vector<int> levels(LightOptions, 3);
-  levels.insert(levels.end(), { 3, 2, 2, 6, 4, 2, 2, 2, 3, 3, 2, 3, 2, 2, 4 });
+  levels.insert(levels.end(), { 3, 2, 2, 6, 4, 2, 2, 2, 3, 3, 2, 3, 2, 2, 4, 3 });
   return levels;
 }
 
@@ -59,6 +59,9 @@ SceneOptions MakeLitOptions(const Combination& combination)
   SetGradient(options, values + 4);
   SetMatter(options, values + 7);
   options.technique = static_cast<ShadowTechnique>(values[14]);
+  // None, in a row, in a loop.
+  constexpr int nearSteps[] = { 0, 4, 20 };
+  options.nearShadowSteps = nearSteps[values[15]];
   return options;
 }
 

@@ -14,7 +14,7 @@ ShadowChoiceTask MakeTask()
 {
   ShadowChoiceTask task;
   task.SoftLights = 1;
-  task.VoxelDepth = 3.1;
+  task.VoxelDepth = 1.0;
   task.Pixels = 512.0 * 512.0;
   task.VoxelsAcross = 443.0;
   task.Voxels = 256.0 * 256.0 * 256.0;

@@ -71,19 +71,6 @@ float keptDarkness(vec3 position, int light, float before)
   return sum / weights;
 }
 
-float marchedDepth(vec3 position, int light, ShadowSegment towardsLight)
-{
-#if SHADOW_RAYS > 0
-  float marched = scene_lightMap[light].y;
-  if (marched > 0.0)
-  {
-    return opticalDepth(position, towardsLight.direction, towardsLight.begin,
-      min(towardsLight.begin + marched, towardsLight.end), towardsLight.enough);
-  }
-#endif
-  return 0.0;
-}
-
 // Of what lies beyond the marched steps.
 float shadowDarkness(vec3 position, int light, ShadowSegment towardsLight)
 {
@@ -94,7 +81,7 @@ float shadowDarkness(vec3 position, int light, ShadowSegment towardsLight)
 float shadowDepth(vec3 position, int light, ShadowSegment towardsLight, float largest)
 {
   float darkness = shadowDarkness(position, light, towardsLight);
-  return marchedDepth(position, light, towardsLight) + largest * darkness * darkness;
+  return nearShadowDepth(position, towardsLight, scene_lightMap[light].y) + largest * darkness * darkness;
 }
 
 // Lights share nothing.

@@ -33,14 +33,6 @@ float keptRootAt(vec3 position, int light)
 float shadowDepth(vec3 position, int light, ShadowSegment towardsLight, float largest)
 {
   float root = keptRootAt(position, light);
-  float depth = largest * root * root;
-#if SHADOW_RAYS > 0
-  float marched = scene_lightShadowVolume[light].y;
-  if (marched > 0.0)
-  {
-    depth += opticalDepth(position, towardsLight.direction, towardsLight.begin,
-      min(towardsLight.begin + marched, towardsLight.end), towardsLight.enough);
-  }
-#endif
-  return depth;
+  return largest * root * root +
+    nearShadowDepth(position, towardsLight, scene_lightShadowVolume[light].y);
 }

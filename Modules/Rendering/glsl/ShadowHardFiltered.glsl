@@ -6,7 +6,8 @@ float hardVisibility(vec3 position, int light, ShadowSegment towardsLight)
 {
   if (scene_lightMap[light].x < 0.0)
   {
-    return marchedDepth(position, light, towardsLight) > towardsLight.enough ? 0.0 : 1.0;
+    float depth = nearShadowDepth(position, towardsLight, scene_lightMap[light].y);
+    return depth > towardsLight.enough ? 0.0 : 1.0;
   }
   return 1.0 - keptDarkness(position, light, towardsLight.begin);
 }

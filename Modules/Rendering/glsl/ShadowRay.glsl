@@ -2,25 +2,8 @@
 // ray may stop once it is enough. Four steps are taken at a time: drivers that bound the iterations of
 // a fragment count a quarter of them.
 
-uniform float scene_shadowSampleDistance;
-
 // No ray has more: steps are made longer before.
 const float MostShadowSteps = 1e6;
-
-// A step's middle, and its length in w.
-vec4 shadowStep(vec3 entry, vec3 direction, int step, float rayLength)
-{
-  float begin = float(step) * scene_shadowSampleDistance;
-  float stepLength = clamp(rayLength - begin, 0.0, scene_shadowSampleDistance);
-  return vec4(entry + direction * (begin + 0.5 * stepLength), stepLength);
-}
-
-float shadowStepDepth(inout RayEnd rayEnd, vec3 direction, vec4 step)
-{
-  vec3 middle = step.xyz;
-  SegmentMatter matter;
-  return segmentDepth(rayEnd, middle, direction, step.w, matter);
-}
 
 float opticalDepth(vec3 position, vec3 direction, float begin, float end, float enough)
 {
