@@ -64,10 +64,11 @@ TEST_CASE("A frame that is drawn in strips is the whole frame", "[still]")
       scene.Shadows.SampleDistance = step;
       scene.Shadows.Technique = TechniqueChoice::Rays;
     });
-  const auto whole = session.TakePicture();
-  SceneRendering* rendering = session.Window.GetView()->GetRendering();
+  VolumeView* view = session.Window.GetView();
+  const auto whole = view->TakePicture();
+  SceneRendering* rendering = view->GetRendering();
   CHECK((rendering->GetIlluminatedMapper()->GetNumberOfDraws() > 1) == (step < 0.5));
-  session.Window.GetView()->GetDecorations()->Hide(true);
+  view->GetDecorations()->Hide(true);
   StillFrame still;
   still.Begin(rendering->GetRenderer(), rendering->GetIlluminatedMapper(), 7);
   int strips = 1;
@@ -77,16 +78,15 @@ TEST_CASE("A frame that is drawn in strips is the whole frame", "[still]")
   }
   CHECK(strips == 7);
   CHECK(still.GetSeconds() > 0.0);
-  session.Window.GetView()->GetDecorations()->Hide(false);
+  still.DrawOver(); // of which there is nothing: the volume stays as it is
+  const auto drawn = ReadPicture(view->renderWindow());
+  // A few pixels that several draws gather are rounded to the next level.
+  CHECK(CompareImages(drawn, whole).rmse <= (step < 0.5 ? 0.02 : 0.0));
+  view->GetDecorations()->Hide(false);
   still.DrawOver();
   still.End();
-  const auto drawn = ReadPicture(session.Window.GetView()->renderWindow());
-  CHECK(CompareImages(session.TakePicture(), whole).rmse == 0.0);
-  WaitFor([&] { return session.Window.GetView()->IsRefined(); });
-  // With the cube and the scale bar, as the view is drawn at once; a few pixels that several draws
-  // gather are rounded to the next level.
-  const auto view = ReadPicture(session.Window.GetView()->renderWindow());
-  CHECK(CompareImages(drawn, view).rmse <= (step < 0.5 ? 0.02 : 0.0));
+  // The cube and the scale bar.
+  CHECK(CompareImages(drawn, ReadPicture(view->renderWindow())).rmse > 2.0);
 }
 
 TEST_CASE("Events are answered while a slow picture is drawn", "[still]")

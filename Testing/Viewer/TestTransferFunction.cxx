@@ -77,6 +77,12 @@ TEST_CASE("Presets change the look, and keep lights and camera")
 TEST_CASE("A look that is saved as a preset is the same when it is loaded")
 {
   AppearanceSession session;
+  session.Document.Edit("edit",
+    [](SceneDescription& scene)
+    {
+      scene.Material.Diffuse = 0.3;
+      scene.TransferFunction.GradientOpacity = { { 0.0, 0.0 }, { 10.0, 1.0 } };
+    });
   const auto before = session.TakePicture();
   PresetPanel* presets = session.Window.GetAppearance()->GetPresets();
   presets->Save(session.Files.PathOf("look.json"));
