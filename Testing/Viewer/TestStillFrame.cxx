@@ -11,6 +11,7 @@
 #include <QKeyEvent>
 #include <QTimer>
 
+#include <vtkExtractVOI.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkIlluminatedVolumeMapper.h>
 #include <vtkImageData.h>
@@ -49,6 +50,17 @@ struct SlowSession : ViewerSession
     return ReadPicture(this->Window.GetView()->renderWindow());
   }
 };
+
+// The lower left or right quarter of a picture.
+vtkSmartPointer<vtkImageData> LowerQuarter(vtkImageData* picture, bool right)
+{
+  const int* size = picture->GetDimensions();
+  vtkNew<vtkExtractVOI> part;
+  part->SetInputData(picture);
+  part->SetVOI(right ? size[0] / 2 : 0, right ? size[0] - 1 : size[0] / 2, 0, size[1] / 2, 0, 0);
+  part->Update();
+  return part->GetOutput();
+}
 }
 
 TEST_CASE("A frame that is drawn in strips is the whole frame", "[still]")
@@ -85,8 +97,12 @@ TEST_CASE("A frame that is drawn in strips is the whole frame", "[still]")
   view->GetDecorations()->Hide(false);
   still.DrawOver();
   still.End();
-  // The cube and the scale bar.
-  CHECK(CompareImages(drawn, ReadPicture(view->renderWindow())).rmse > 2.0);
+  const auto over = ReadPicture(view->renderWindow());
+  for (const bool right : { false, true }) // the cube, the scale bar
+  {
+    CAPTURE(right);
+    CHECK(CompareImages(LowerQuarter(drawn, right), LowerQuarter(over, right)).rmse > 0.5);
+  }
 }
 
 TEST_CASE("Events are answered while a slow picture is drawn", "[still]")
@@ -106,6 +122,7 @@ TEST_CASE("Events are answered while a slow picture is drawn", "[still]")
   clock.start();
   beat.start(5);
   const double seconds = session.WaitForPicture();
+  longest = std::max(longest, clock.elapsed());
   CAPTURE(seconds, longest);
   REQUIRE(seconds > 0.3);
   CHECK(longest / 1000.0 < seconds / 2.0);
