@@ -27,21 +27,23 @@ float darknessOf(float depth)
   return sqrt(min(depth / scene_mapLargestDepth, 1.0));
 }
 
-// A step's optical depth, or a leap over empty space, which has none; how long it is.
-float mapStepDepth(inout RayEnd rayEnd, MapRay ray, float at, out float stepLength)
+float mapStepBegin(MapRay ray, int step)
 {
-  stepLength = min(scene_shadowSampleDistance, ray.end - at);
+  return ray.begin + float(step) * scene_shadowSampleDistance;
+}
+
+// A step's optical depth, or that of a leap over empty space, which has none; the step behind it.
+float mapStepDepth(inout RayEnd rayEnd, MapRay ray, inout int step)
+{
+  float at = mapStepBegin(ray, step);
+  float stepLength = min(scene_shadowSampleDistance, ray.end - at);
   vec3 middle = ray.origin + ray.direction * (at + 0.5 * stepLength);
   int leap = emptySteps(middle, ray.direction * scene_shadowSampleDistance);
   SegmentMatter matter;
   float depth = segmentDepth(rayEnd, middle, ray.direction, stepLength, matter);
-  if (leap > 0)
-  {
-    depth = 0.0;
-    stepLength = min(float(leap) * scene_shadowSampleDistance, ray.end - at);
-    rayEnd = rayEndAfterLeap(rayEnd, leap, ray.origin + ray.direction * (at + stepLength));
-  }
-  return depth;
+  step += max(leap, 1);
+  rayEnd = rayEndAfterLeap(rayEnd, leap, ray.origin + ray.direction * mapStepBegin(ray, step));
+  return leap > 0 ? 0.0 : depth;
 }
 
 // The least and the largest slope from a node to within the tolerance of a point.
@@ -49,6 +51,16 @@ vec2 slopesTo(vec2 node, vec2 point, float tolerance)
 {
   float run = max(point.x - node.x, 1e-20);
   return vec2(max(point.y - tolerance - node.y, 0.0), point.y + tolerance - node.y) / run;
+}
+
+// The last step's end before a point, of those that a leap has passed over, that the flattest line from a node
+// comes within the tolerance of.
+vec2 lastWithin(vec2 node, vec2 before, vec2 here, vec2 slopes, float tolerance)
+{
+  float reach = slopes.x > 0.0 ? node.x + (before.y + tolerance - node.y) / slopes.x : before.x;
+  float steps = floor((min(reach, here.x) - before.x) / scene_shadowSampleDistance);
+  float passed = floor((here.x - before.x) / scene_shadowSampleDistance - 0.5);
+  return vec2(before.x + clamp(steps, 0.0, max(passed, 0.0)) * scene_shadowSampleDistance, before.y);
 }
 
 // False where the nodes are too few. Every line from the last node keeps within the slopes so far; the first
@@ -64,15 +76,18 @@ bool followDarkness(MapRay ray, float tolerance, out vec2 node[Nodes])
   vec2 before = node[0];
   float depth = 0.0;
   RayEnd rayEnd = rayEndAt(ray.origin + ray.direction * ray.begin);
-  float stepLength;
-  for (float at = ray.begin; at < ray.end && depth < scene_mapLargestDepth; at += stepLength)
+  int step = 0;
+  while (mapStepBegin(ray, step) < ray.end && depth < scene_mapLargestDepth)
   {
-    depth += mapStepDepth(rayEnd, ray, at, stepLength);
-    vec2 here = vec2(at + stepLength, darknessOf(depth));
+    depth += mapStepDepth(rayEnd, ray, step);
+    vec2 here = vec2(min(mapStepBegin(ray, step), ray.end), darknessOf(depth));
     vec2 reaching = slopesTo(node[last], here, tolerance);
     vec2 both = vec2(max(slopes.x, reaching.x), min(slopes.y, reaching.y));
     if (both.x > both.y)
     {
+      before = lastWithin(node[last], before, here, slopes, tolerance);
+      vec2 nearer = slopesTo(node[last], before, tolerance);
+      slopes = vec2(max(slopes.x, nearer.x), min(slopes.y, nearer.y));
       if (last == Nodes - 2)
       {
         return false;
@@ -98,12 +113,14 @@ float firstHit(MapRay ray)
 {
   float depth = 0.0;
   RayEnd rayEnd = rayEndAt(ray.origin + ray.direction * ray.begin);
-  float stepLength;
-  for (float at = ray.begin; at < ray.end; at += stepLength)
+  int step = 0;
+  while (mapStepBegin(ray, step) < ray.end)
   {
-    float added = mapStepDepth(rayEnd, ray, at, stepLength);
+    float at = mapStepBegin(ray, step);
+    float added = mapStepDepth(rayEnd, ray, step);
     if (depth + added > scene_mapFirstHit)
     {
+      float stepLength = min(mapStepBegin(ray, step), ray.end) - at;
       return at + stepLength * (scene_mapFirstHit - depth) / added;
     }
     depth += added;
