@@ -203,6 +203,22 @@ std::vector<ShadowCaster> LightUniforms::GetShadowCasters(
 }
 
 //------------------------------------------------------------------------------
+double LightUniforms::GetShadowedBrightness(const LightingRequirements& requirements) const
+{
+  double squares = 0.0;
+  const auto brightest = [](const Vector3f& color)
+  { return std::min(*std::max_element(color.begin(), color.end()), 1.0f); };
+  VisitShadowedLights(requirements,
+    [&](int light, LightKind, ShadowKind)
+    {
+      const double most =
+        std::max(brightest(this->Diffuse[light]), brightest(this->Specular[light]));
+      squares += most * most;
+    });
+  return std::sqrt(squares);
+}
+
+//------------------------------------------------------------------------------
 void LightUniforms::LookUpVolume(
   const LightingRequirements& requirements, int casters, int blocks, double marchedLength)
 {

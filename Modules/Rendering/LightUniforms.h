@@ -60,6 +60,8 @@ struct LightUniforms
   /// The lights with a shadow, in their order among the others; requirements: those of the same
   /// lights.
   std::vector<ShadowCaster> GetShadowCasters(const LightingRequirements& requirements) const;
+  /// Root of the sum of squares of what lights with a shadow add at most, of white.
+  double GetShadowedBrightness(const LightingRequirements& requirements) const;
   /// Looks the visibility of the first casters up in a shadow volume of this many blocks, beyond a
   /// length that is marched directly; the others' rays are marched whole.
   void LookUpVolume(

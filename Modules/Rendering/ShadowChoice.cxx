@@ -77,12 +77,6 @@ double Interpolate(
   return (1.0 - part) * GetError(low, option, task) + part * GetError(high, option, task);
 }
 
-// Errors of several lights add up by their squares.
-double GetCountFactor(const ShadowChoiceTask& task)
-{
-  return std::sqrt(std::max(task.SoftLights + task.HardLights, 1));
-}
-
 // How many times as many texels of a volume a long voxel has as a short one (ShadowVolumePlan).
 double GetTexelRatio(const OptionSettings& settings, const ShadowChoiceTask& task)
 {
@@ -90,6 +84,14 @@ double GetTexelRatio(const OptionSettings& settings, const ShadowChoiceTask& tas
   return settings.Resolution < 1.0
     ? std::min(task.SpacingRatio, mostOfLongVoxels / settings.Resolution)
     : 1.0;
+}
+
+// Errors grow with what they are errors of.
+double GetBrightnessFactor(const ShadowChoiceTask& task)
+{
+  // Of the light and the material that were measured.
+  constexpr double measured = 0.92;
+  return task.Brightness / measured;
 }
 
 // Samples of a pixel that are lit before what lies behind them is hidden.
@@ -111,13 +113,13 @@ double PredictShadowError(ShadowOption option, const ShadowChoiceTask& task)
   if (option == ShadowOption::Rays)
   {
     // Measured at steps of a voxel. Behind a jump in opacity the error falls no faster.
-    return error * task.ShadowStep * GetCountFactor(task);
+    return error * task.ShadowStep * GetBrightnessFactor(task);
   }
   const OptionSettings& settings = GetSettings(option);
   const double coarseness = settings.Technique == ShadowTechnique::Volume
     ? task.SpacingRatio / GetTexelRatio(settings, task)
     : 1.0;
-  return coarseness * error * GetCountFactor(task);
+  return coarseness * error * GetBrightnessFactor(task);
 }
 
 //------------------------------------------------------------------------------

@@ -22,6 +22,8 @@ struct ShadowChoiceTask
 {
   int SoftLights = 0;
   int HardLights = 0;
+  /// Root of the sum of squares of what these lights add at most, of white.
+  double Brightness = 1.0;
   /// Optical depth over a voxel of the densest matter of a brick, on average.
   double VoxelDepth = 0.0;
   /// Of a shadow ray, in smallest spacings.

@@ -32,6 +32,7 @@ ShadowChoiceTask DescribeChoice(
   ShadowChoiceTask task;
   task.SoftLights = scene.Requirements.GetNumberOfLights(ShadowKind::Soft);
   task.HardLights = scene.Requirements.GetNumberOfLights(ShadowKind::Hard);
+  task.Brightness = scene.Lights.GetShadowedBrightness(scene.Requirements);
   // Whether rays leap over it or not: that must not change the choice.
   const EmptySpaceReport& matter = textures.GetEmptySpaceReport();
   task.VoxelDepth = matter.MeanExtinction * placement.SmallestSpacing;

@@ -139,3 +139,25 @@ TEST_CASE("Colours are multiplied by intensity and by the material's factors")
   CHECK(uniforms.Specular.at(0) == Vector3f{ 0.0f, 0.5f, 0.25f });
   CHECK(uniforms.Attenuation.at(0) == Vector3f{ 1.0f, 2.0f, 3.0f });
 }
+
+TEST_CASE("Shadows are as bright as what their lights add, by the root of the sum of squares")
+{
+  const auto shadowed = MakeLight(LightKind::Directional, ShadowKind::Soft);
+  const auto other = MakeLight(LightKind::Point, ShadowKind::Hard);
+  const auto unshadowed = MakeLight(LightKind::Spot, ShadowKind::None);
+  shadowed->SetDiffuseColor(0.25, 0.5, 0.0);
+  shadowed->SetSpecularColor(0.0, 0.0, 0.0);
+  other->SetDiffuseColor(0.0, 0.0, 0.0);
+  other->SetSpecularColor(1.0, 0.0, 0.0);
+  LightsAndMaterial scene({ shadowed, other, unshadowed });
+  scene.property->SetDiffuse(0.6);
+  scene.property->SetSpecular(0.4);
+  LightingRequirements requirements;
+  requirements.Optics = OpticalModel::SingleScattering;
+  requirements
+    .Lights[static_cast<int>(LightKind::Directional)][static_cast<int>(ShadowKind::Soft)] = 1;
+  requirements.Lights[static_cast<int>(LightKind::Point)][static_cast<int>(ShadowKind::Hard)] = 1;
+  requirements.Lights[static_cast<int>(LightKind::Spot)][static_cast<int>(ShadowKind::None)] = 1;
+  const double brightness = MakeUniforms(scene).GetShadowedBrightness(requirements);
+  CHECK(brightness == Approx(std::sqrt(0.3 * 0.3 + 0.4 * 0.4)));
+}

@@ -64,6 +64,17 @@ TEST_CASE("Where nothing is within the tolerance the least error counts")
   CHECK(choice.Reason.find("beyond") != std::string::npos);
 }
 
+TEST_CASE("Errors grow with the light that the shadows are of")
+{
+  const ShadowOption option = GENERATE(ShadowOption::Rays, ShadowOption::DeepMap);
+  ShadowChoiceTask task = MakeTask();
+  const double one = PredictShadowError(option, task);
+  task.SoftLights = 4;
+  CHECK(PredictShadowError(option, task) == one);
+  task.Brightness = 2.0;
+  CHECK(PredictShadowError(option, task) == Approx(2.0 * one));
+}
+
 TEST_CASE("A large volume on a small picture is not worth a volume of shadows")
 {
   ShadowChoiceTask task = MakeTask();
@@ -90,7 +101,7 @@ TEST_CASE(
   "A coarse volume is taken where it will do, with no step marched, and a fine one where not")
 {
   ShadowChoiceTask task = MakeTask();
-  task.VoxelDepth = 0.1;
+  task.VoxelDepth = 0.05;
   const ShadowChoice coarse = ChooseShadowTechnique(task);
   CHECK(coarse.Option == ShadowOption::CoarseVolume);
   CHECK(coarse.Technique == ShadowTechnique::Volume);
