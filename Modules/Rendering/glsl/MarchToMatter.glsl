@@ -26,7 +26,7 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
     if (depth > 0.0)
     {
       SeenSegment seen =
-        seenSegment(accumulated, matter, depth, position, ray.direction * stepLength);
+        seenSegment(accumulated, matter, position, ray.direction * stepLength);
       vec3 color = shadedColor(seen.position, seen.color, ray.view);
       accumulated += seen.weight * vec4(color, CompositedAlpha);
     }

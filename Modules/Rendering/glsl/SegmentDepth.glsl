@@ -1,5 +1,5 @@
 // Optical depth of one step of a ray, its sample in the middle of what is shown of the step. The
-// position is moved there; the scalar is kept for the colour.
+// position is moved there; the scalar is kept for the colour, the depth for the weight.
 
 struct RayEnd
 {
@@ -9,6 +9,7 @@ struct RayEnd
 struct SegmentMatter
 {
   float scalar;
+  float depth;
 };
 
 RayEnd rayEndAt(vec3 position)
@@ -28,5 +29,7 @@ float segmentDepth(
   float shown = shownByCropping(position, segment);
   shown *= shownByMask(position, segment * shown);
   matter.scalar = texture(scene_scalars, position).r;
-  return extinctionOf(matter.scalar) * gradientOpacityAt(position) * (stepLength * shown);
+  matter.depth =
+    extinctionOf(matter.scalar) * gradientOpacityAt(position) * (stepLength * shown);
+  return matter.depth;
 }

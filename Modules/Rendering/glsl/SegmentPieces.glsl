@@ -1,6 +1,6 @@
-// What is seen of a step that is lit: the scalar along it is taken for the parabola through its ends and
-// its middle, cut into four pieces along which it changes evenly. What the pieces hide of each other counts in the
-// step's colour, and the step is lit where the matter is that is seen of it.
+// What is seen of a step that is lit: the scalar along it is taken for the parabola through its ends
+// and its middle, cut into four pieces along which it changes evenly. What the pieces hide of each
+// other counts in the step's colour, and the step is lit where the matter is that is seen of it.
 
 struct SeenSegment
 {
@@ -28,8 +28,7 @@ void seePiece(SegmentMatter piece, float place, vec4 before, inout SeenPieces se
   seen.weight += weight;
 }
 
-SeenSegment seenSegment(
-  vec4 accumulated, SegmentMatter matter, float depth, vec3 position, vec3 segment)
+SeenSegment seenSegment(vec4 accumulated, SegmentMatter matter, vec3 position, vec3 segment)
 {
   RayEnd middle = rayEndAt(position);
   vec3 scalars = vec3(matter.from.coordinate, middle.coordinate, matter.to.coordinate);

@@ -7,8 +7,7 @@ struct SeenSegment
   float weight;
 };
 
-SeenSegment seenSegment(
-  vec4 accumulated, SegmentMatter matter, float depth, vec3 position, vec3 segment)
+SeenSegment seenSegment(vec4 accumulated, SegmentMatter matter, vec3 position, vec3 segment)
 {
-  return SeenSegment(position, segmentColor(matter), compositingWeight(accumulated, depth));
+  return SeenSegment(position, segmentColor(matter), compositingWeight(accumulated, matter.depth));
 }
