@@ -80,3 +80,38 @@ TEST_CASE("Hidden matter casts no shadow", "[shadow]")
   // Steps are cut at another place, nothing else.
   CHECK(CompareImages(hidden, floorAlone).rmse < 0.3);
 }
+
+// Matter so thin that it hardly shadows itself, a little denser towards a cut, and just behind the
+// cut opaque matter. The light comes from the thin end; the eye looks along the cut, where rays are
+// long enough to see something.
+std::unique_ptr<IlluminatedScene> MakeCutBeforeOpaqueMatter()
+{
+  auto scene = std::make_unique<IlluminatedScene>(SampleField(
+    { { 33, 33, 33 } }, [](const Point& p) { return p[2] < 5.5 ? 61.0 + p[2] : 255.0; }));
+  scene->Opacity->AddPoint(255.0, 0.95);
+  scene->AddDirectionalLight(0.0, 0.0, 1.0, vtkVolumeLight::Soft)->SetShadowBias(0.0);
+  const double target[3] = { 16.0, 16.0, 5.0 };
+  scene->LookFrom(1.0, 0.1, 0.1, 50.0, target);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, 5.2);
+  plane->SetNormal(0.0, 0.0, -1.0);
+  scene->Mapper->AddClippingPlane(plane);
+  return scene;
+}
+
+TEST_CASE("Hidden matter darkens no sample before its cut where a shadow volume is coarse")
+{
+  auto scene = MakeCutBeforeOpaqueMatter();
+  const auto rays = scene->Render();
+  scene->Mapper->SetShadowTechniqueToVolume();
+  scene->Mapper->SetShadowNearSteps(0);
+  // Texels, and steps towards the light, are 4 apart: what is seen last lies between the texel at 4
+  // and the hidden one at 8, whose first step would have its middle in opaque matter.
+  scene->Mapper->SetShadowResolution(0.25);
+  const ImageDifference difference = CompareImages(scene->Render(), rays);
+  INFO("rmse " << difference.rmse << ", largest " << difference.largest);
+  CHECK(scene->Mapper->GetActualShadowResolution() == 0.25);
+  // Texels as coarse as these tell the thin matter's depth to 2 % of the light. A dark rim is worth
+  // five times as much.
+  CHECK(difference.largest <= 0.02 * 255.0);
+}
