@@ -1,27 +1,20 @@
 #include "vtkDICOMVolumeReader.h"
 
 #include "DicomParserProcess.h"
-#include "DicomVolumeReading.h"
-#include "FailureReason.h"
 #include "LocalDicomParser.h"
-#include "OneLine.h"
 #include "VolumeReadingError.h"
+#include "vtkDICOMVolumeReaderInternals.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
-#include <exception>
-#include <optional>
 
 using namespace penumbra;
 
@@ -83,51 +76,6 @@ void AddText(vtkFieldData* fields, const char* name, const std::string& text)
 }
 
 }
-
-//------------------------------------------------------------------------------
-class vtkDICOMVolumeReader::Internals
-{
-public:
-  // Runs `task` and returns whether it came to its end; what is thrown is reported.
-  template <typename Task>
-  bool Attempt(vtkDICOMVolumeReader* self, const Task& task)
-  {
-    this->ErrorMessage.clear();
-    self->SetErrorCode(vtkErrorCode::NoError);
-    try
-    {
-      task();
-      return true;
-    }
-    catch (const ReadingCancelled& cancelled)
-    {
-      this->ErrorMessage = cancelled.what();
-      return false;
-    }
-    catch (const std::exception& error)
-    {
-      self->SetErrorCode(vtkErrorCode::FileFormatError);
-      this->ErrorMessage = FailureReason(error);
-    }
-    this->ErrorMessage = OneLine(this->ErrorMessage);
-    vtkErrorWithObjectMacro(
-      self, "cannot read " << OneLine(self->DescribeInput()) << ": " << this->ErrorMessage);
-    return false;
-  }
-
-  // Null where there is no such series.
-  const DicomSeries* GetSeries(int index) const
-  {
-    const bool isThere = this->Reading && index >= 0 &&
-      static_cast<std::size_t>(index) < this->Reading->GetSeries().size();
-    return isThere ? &this->Reading->GetSeries()[static_cast<std::size_t>(index)] : nullptr;
-  }
-
-  std::optional<DicomVolumeReading> Reading;
-  std::unique_ptr<DicomParser> Parser;
-  vtkNew<vtkStringArray> Warnings;
-  std::string ErrorMessage;
-};
 
 //------------------------------------------------------------------------------
 vtkDICOMVolumeReader::vtkDICOMVolumeReader()
@@ -274,81 +222,4 @@ vtkMTimeType vtkDICOMVolumeReader::GetMTime()
 {
   const vtkMTimeType time = this->Superclass::GetMTime();
   return this->FileNames ? std::max(time, this->FileNames->GetMTime()) : time;
-}
-
-//------------------------------------------------------------------------------
-vtkStringArray* vtkDICOMVolumeReader::GetWarnings()
-{
-  return this->State->Warnings;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkDICOMVolumeReader::GetErrorMessage()
-{
-  return this->State->ErrorMessage.c_str();
-}
-
-//------------------------------------------------------------------------------
-int vtkDICOMVolumeReader::GetNumberOfSeries()
-{
-  const auto& reading = this->State->Reading;
-  return reading ? static_cast<int>(reading->GetSeries().size()) : 0;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkDICOMVolumeReader::GetSeriesName(int series)
-{
-  const DicomSeries* of = this->State->GetSeries(series);
-  return of ? of->name.c_str() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkDICOMVolumeReader::GetSeriesModality(int series)
-{
-  const DicomSeries* of = this->State->GetSeries(series);
-  return of ? of->files.front().image.modality.c_str() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-const char* vtkDICOMVolumeReader::GetSeriesDescription(int series)
-{
-  const DicomSeries* of = this->State->GetSeries(series);
-  return of ? of->files.front().image.seriesDescription.c_str() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-int vtkDICOMVolumeReader::GetSeriesNumberOfImages(int series)
-{
-  const DicomSeries* of = this->State->GetSeries(series);
-  return of ? static_cast<int>(of->NumberOfImages()) : 0;
-}
-
-//------------------------------------------------------------------------------
-int vtkDICOMVolumeReader::GetSeriesColumns(int series)
-{
-  const DicomSeries* of = this->State->GetSeries(series);
-  return of ? of->files.front().image.columns : 0;
-}
-
-//------------------------------------------------------------------------------
-int vtkDICOMVolumeReader::GetSeriesRows(int series)
-{
-  const DicomSeries* of = this->State->GetSeries(series);
-  return of ? of->files.front().image.rows : 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkDICOMVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  const auto text = [](const char* value) { return value ? value : "(none)"; };
-  os << indent << "FileName: " << text(this->FileName) << "\n";
-  os << indent << "FileNames: " << this->FileNames << "\n";
-  os << indent << "Series: " << text(this->Series) << "\n";
-  os << indent << "ParserProgram: " << text(this->ParserProgram) << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
-  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
-  os << indent << "NumberOfSeries: " << this->GetNumberOfSeries() << "\n";
-  os << indent << "NumberOfWarnings: " << this->State->Warnings->GetNumberOfValues() << "\n";
-  os << indent << "ErrorMessage: " << this->GetErrorMessage() << "\n";
 }
