@@ -145,7 +145,8 @@ enum class TechniqueChoice
   Rays,
   Volume,
   Map,
-  DeepMap
+  DeepMap,
+  OpacityMap
 };
 
 struct ShadowsDescription

@@ -59,7 +59,7 @@ ShadowsDescription ParseShadows(const nlohmann::json& value)
   object.ReadChoice<TechniqueChoice>("technique", shadows.Technique,
     { { "auto", TechniqueChoice::Auto }, { "rays", TechniqueChoice::Rays },
       { "volume", TechniqueChoice::Volume }, { "map", TechniqueChoice::Map },
-      { "deep-map", TechniqueChoice::DeepMap } });
+      { "deep-map", TechniqueChoice::DeepMap }, { "opacity-map", TechniqueChoice::OpacityMap } });
   object.Read("sampleDistance", shadows.SampleDistance, StepLengths);
   object.Read("resolution", shadows.Resolution, MoreThanZero);
   object.Read("nearSteps", shadows.NearSteps, 0, MostNearSteps);

@@ -41,6 +41,8 @@ int ShadowTechniqueOf(TechniqueChoice choice)
       return vtkIlluminatedVolumeMapper::Map;
     case TechniqueChoice::DeepMap:
       return vtkIlluminatedVolumeMapper::DeepMap;
+    case TechniqueChoice::OpacityMap:
+      return vtkIlluminatedVolumeMapper::OpacityMap;
     default:
       return vtkIlluminatedVolumeMapper::Auto;
   }

@@ -184,6 +184,8 @@ const char* NameOf(TechniqueChoice technique)
       return "map";
     case TechniqueChoice::DeepMap:
       return "deep-map";
+    case TechniqueChoice::OpacityMap:
+      return "opacity-map";
     default:
       return "auto";
   }

@@ -19,7 +19,8 @@ constexpr double LargestError = 1.0;
 
 bool IsCached(const SpeedRow& row)
 {
-  return (row.Variant == "volume" || row.Variant == "deep-map") && row.Technique == row.Variant;
+  static const std::set<std::string> cached = { "volume", "deep-map", "opacity-map" };
+  return cached.count(row.Variant) > 0 && row.Technique == row.Variant;
 }
 
 bool IsCachedOrAuto(const SpeedRow& row)

@@ -41,7 +41,7 @@ void AddResolutions(std::vector<SpeedVariant>& variants)
   const std::pair<const char*, const char*> resolutions[] = { { "1/4", "0.25" }, { "1/2", "0.5" },
     { "2", "2" } };
   const std::pair<const char*, const char*> shadows[] = { { "volume", "soft" },
-    { "deep-map", "soft" }, { "map", "hard" } };
+    { "deep-map", "soft" }, { "opacity-map", "soft" }, { "map", "hard" } };
   for (const auto& [technique, shadow] : shadows)
   {
     for (const auto& [name, value] : resolutions)
@@ -120,7 +120,7 @@ std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full)
                                            ManyRounds },
     { "vtk, lit", { Lit({ "renderer=vtk" }) }, {} }, { "unlit", { UnlitSettings }, {} },
     { "lit", { Lit({ "lights.0.shadow=none" }) }, {} } };
-  for (const char* technique : { "rays", "volume", "deep-map", "auto" })
+  for (const char* technique : { "rays", "volume", "deep-map", "opacity-map", "auto" })
   {
     variants.push_back(ShadowVariant(technique, "soft"));
   }
@@ -130,7 +130,7 @@ std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full)
   }
   if (cell.IsPlain())
   {
-    for (const char* technique : { "rays", "volume", "map", "deep-map" })
+    for (const char* technique : { "rays", "volume", "map", "deep-map", "opacity-map" })
     {
       variants.push_back(ShadowVariant(technique, "hard"));
     }

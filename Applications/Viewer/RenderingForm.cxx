@@ -194,9 +194,11 @@ void FillRenderingForm(PropertyForm* form, SceneDocument* document, VolumeView* 
                     QObject::tr("Automatic takes the fastest whose error is small. Rays are exact. "
                                 "The others keep shadows between pictures, so that turning is "
                                 "faster: a volume with a shadow per voxel, a map of the first "
-                                "surface for hard shadows, or a map with depth for soft ones.") },
+                                "surface for hard shadows, or maps with depth for soft ones: by a "
+                                "few nodes, or by layers.") },
     { QObject::tr("Automatic"), QObject::tr("Rays"), QObject::tr("Shadow volume"),
-      QObject::tr("Shadow map"), QObject::tr("Deep shadow map") },
+      QObject::tr("Shadow map"), QObject::tr("Deep shadow map"),
+      QObject::tr("Opacity shadow map") },
     { [](const SceneDescription& scene) { return static_cast<int>(scene.Shadows.Technique); },
       [](SceneDescription& scene, const int& choice)
       { scene.Shadows.Technique = static_cast<TechniqueChoice>(choice); } });

@@ -49,7 +49,7 @@ const char* GetLookupName(TransferFunctionLookup lookup)
 //------------------------------------------------------------------------------
 const char* GetName(ShadowTechnique technique)
 {
-  static const char* const names[] = { "rays", "volume", "map", "deep-map" };
+  static const char* const names[] = { "rays", "volume", "map", "deep-map", "opacity-map" };
   return names[static_cast<int>(technique)];
 }
 

@@ -44,14 +44,16 @@ enum class ShadowKind
 constexpr int NumberOfShadowKinds = 3;
 
 /// How shadows are computed. Rays marches a shadow ray from every sample that needs one. The others
-/// look up what was computed beforehand: Volume over the whole volume, DeepMap along the rays of
-/// each light, Map, for hard shadows, where these rays are first hidden.
+/// look up what was computed beforehand: Volume over the whole volume; along the rays of each light
+/// DeepMap, by functions of a few nodes, and OpacityMap, in layers; Map, for hard shadows, where these
+/// rays are first hidden.
 enum class ShadowTechnique
 {
   Rays,
   Volume,
   Map,
-  DeepMap
+  DeepMap,
+  OpacityMap
 };
 
 /// How matter reflects light; the values are those of vtkVolumeMaterial::ReflectionModelType.

@@ -10,6 +10,7 @@
 #include "LightingRequirements.h"
 #include "MarchingPlan.h"
 #include "MaterialUniforms.h"
+#include "OpacityMapPlan.h"
 #include "ShadowMapPlan.h"
 #include "ShadowVolumePlan.h"
 #include "ShadowingMatter.h"
@@ -44,6 +45,7 @@ struct DrawnScene
   std::vector<LightSpace> LightSpaces;     ///< theirs, with maps
   ShadowVolumePlan VolumeOfShadows;
   ShadowMapPlan MapsOfShadows;
+  OpacityMapPlan LayersOfShadows;
 
   /// Sets all uniforms that do not depend on a texture or on the part of the picture that is drawn.
   void SetUniforms(vtkShaderProgram* program) const;

@@ -108,6 +108,62 @@ std::vector<unsigned char> FindOccupiedBricks(
 }
 
 //------------------------------------------------------------------------------
+BrickBox FindBoxOfOccupied(const std::vector<unsigned char>& occupied, const BrickGrid& grid)
+{
+  BrickBox box = { grid.Counts, { -1, -1, -1 } };
+  for (int brick = 0; brick < static_cast<int>(occupied.size()); ++brick)
+  {
+    if (!occupied[brick])
+    {
+      continue;
+    }
+    const std::array<int, 3> at = { brick % grid.Counts[0], brick / grid.Counts[0] % grid.Counts[1],
+      brick / (grid.Counts[0] * grid.Counts[1]) };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.First[axis] = std::min(box.First[axis], at[axis]);
+      box.Last[axis] = std::max(box.Last[axis], at[axis]);
+    }
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+BrickMap MapToBricks(const BrickGrid& grid)
+{
+  BrickMap map;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // A single voxel lies in the middle of the only brick, wherever a ray passes it.
+    const bool isFlat = grid.Dimensions[axis] <= 1;
+    map.Scale[axis] = isFlat ? 0.0 : static_cast<double>(grid.Dimensions[axis]) / grid.Edge;
+    map.Offset[axis] = isFlat ? 0.5 : -0.5 / grid.Edge;
+  }
+  return map;
+}
+
+//------------------------------------------------------------------------------
+TextureBox PlaceBricks(const BrickBox& bricks, const BrickGrid& grid)
+{
+  TextureBox box;
+  const auto [scale, offset] = MapToBricks(grid);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int first = bricks.First[axis];
+    const int behind = bricks.Last[axis] + 1;
+    if (first < behind && first > 0)
+    {
+      box.Low[axis] = (first - offset[axis]) / scale[axis];
+    }
+    if (first < behind && behind < grid.Counts[axis])
+    {
+      box.High[axis] = (behind - offset[axis]) / scale[axis];
+    }
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
 std::vector<unsigned char> ComputeEmptyCubes(
   const std::vector<unsigned char>& occupied, const BrickGrid& grid)
 {

@@ -13,6 +13,7 @@
 
 #include "PenumbraRenderingModule.h" // For export macro
 #include "ScalarBricks.h"
+#include "VolumePlacement.h"
 
 #include <array>
 #include <vector>
@@ -53,6 +54,36 @@ struct BrickVisibility
 /// 1 for each brick that may hold visible matter.
 PENUMBRARENDERING_EXPORT std::vector<unsigned char> FindOccupiedBricks(
   const ScalarBricks& bricks, const VisibleScalars& visible, const BrickVisibility& visibility);
+
+/// The smallest box of bricks around the occupied ones. None occupied: of no brick, its Last before
+/// its First.
+struct BrickBox
+{
+  std::array<int, 3> First{};
+  std::array<int, 3> Last{ -1, -1, -1 };
+};
+
+PENUMBRARENDERING_EXPORT BrickBox FindBoxOfOccupied(
+  const std::vector<unsigned char>& occupied, const BrickGrid& grid);
+
+/// Scale and offset from texture coordinates to bricks.
+struct BrickMap
+{
+  Vector3 Scale{};
+  Vector3 Offset{};
+};
+
+PENUMBRARENDERING_EXPORT BrickMap MapToBricks(const BrickGrid& grid);
+
+/// In texture coordinates.
+struct TextureBox
+{
+  Vector3 Low{ 0.0, 0.0, 0.0 };
+  Vector3 High{ 1.0, 1.0, 1.0 };
+};
+
+/// Where bricks lie; the outer ones reach to the volume's faces. Of no brick: the whole volume.
+PENUMBRARENDERING_EXPORT TextureBox PlaceBricks(const BrickBox& bricks, const BrickGrid& grid);
 
 /// Edges of the cubes in bricks, at most 255; 0 for an occupied brick. One volume of bricks an
 /// octant, x fastest; bits 0, 1 and 2 of the octant stand for directions of falling x, y and z.

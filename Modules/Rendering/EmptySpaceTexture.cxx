@@ -59,6 +59,18 @@ double ComputeMeanExtinction(const ScalarBricks& bricks, const std::vector<unsig
 }
 
 //------------------------------------------------------------------------------
+VolumePlacement EmptySpaceReport::DrawIn(const VolumePlacement& placement) const
+{
+  VolumePlacement drawnIn = placement;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    drawnIn.BoxLow[axis] = std::max(placement.BoxLow[axis], this->Matter.Low[axis]);
+    drawnIn.BoxHigh[axis] = std::min(placement.BoxHigh[axis], this->Matter.High[axis]);
+  }
+  return drawnIn;
+}
+
+//------------------------------------------------------------------------------
 bool EmptySpaceReport::Helps() const
 {
   constexpr double leastShare = 0.1;
@@ -88,6 +100,7 @@ void EmptySpaceTexture::Load(vtkOpenGLRenderWindow* window, const TransferFuncti
   const auto count = std::count(occupied.begin(), occupied.end(), 1);
   this->Report = { grid.Edge, grid.GetNumberOfBricks(), static_cast<int>(count),
     ComputeMeanExtinction(this->Bricks, occupied, table) };
+  this->Report.Matter = PlaceBricks(FindBoxOfOccupied(occupied, grid), grid);
   std::vector<unsigned char> cubes = ComputeEmptyCubes(occupied, grid);
   constexpr int octants = 8;
   ResetTexture(this->Texture, window, vtkTextureObject::Nearest);
@@ -100,15 +113,7 @@ void EmptySpaceTexture::SetUniforms(vtkShaderProgram* program) const
 {
   SetSampler(program, "scene_emptyCubes", this->Texture);
   const BrickGrid& grid = this->Bricks.Grid;
-  Vector3 scale{};
-  Vector3 offset{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    // A single voxel lies in the middle of the only brick, wherever a ray passes it.
-    const bool isFlat = grid.Dimensions[axis] <= 1;
-    scale[axis] = isFlat ? 0.0 : static_cast<double>(grid.Dimensions[axis]) / grid.Edge;
-    offset[axis] = isFlat ? 0.5 : -0.5 / grid.Edge;
-  }
+  const auto [scale, offset] = MapToBricks(grid);
   SetUniform(program, "scene_bricks", scale);
   SetUniform(program, "scene_lastBrick",
     Vector3{ grid.Counts[0] - 1.0, grid.Counts[1] - 1.0, grid.Counts[2] - 1.0 });

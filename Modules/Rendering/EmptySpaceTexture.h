@@ -33,6 +33,10 @@ struct EmptySpaceReport
   int OccupiedBricks = 0;
   /// Mean over the occupied bricks of the largest extinction in each.
   double MeanExtinction = 0.0;
+  TextureBox Matter; ///< around the occupied bricks
+
+  /// The placement with its box drawn in around the occupied bricks.
+  VolumePlacement DrawIn(const VolumePlacement& placement) const;
 
   /// Whether rays have enough to leap over to make up for the look-ups.
   bool Helps() const;

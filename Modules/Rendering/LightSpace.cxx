@@ -10,6 +10,9 @@ namespace penumbra
 {
 namespace
 {
+// Diagonals of the box. From a light beyond it rays are parallel within an eighth of a voxel in
+// 500; their distances would be floats of less precision than that.
+constexpr double LargestDistance = 2000.0;
 // Beyond it perspective spends too many texels on the border of its map.
 constexpr double LargestExtent = 1.5;
 
@@ -69,6 +72,7 @@ LightSpace MapParallelRays(const VolumePlacement& placement, const Vector3& towa
       high[axis] = std::max(high[axis], point[axis]);
     }
   }
+  space.Farthest = high[2] - low[2];
   // One scale for both axes keeps texels square.
   const double span = std::max(high[0] - low[0], high[1] - low[1]);
   for (int axis = 0; axis < 3; ++axis)
@@ -92,15 +96,22 @@ LightSpace MapRaysFromPoint(const VolumePlacement& placement, const Vector3& pos
   }
   const Vector3 own = MultiplyDirection(placement.TextureToOwn, toMiddle);
   const double distance = GetLength(own);
+  if (distance > LargestDistance * placement.GetDiagonal())
+  {
+    return MapParallelRays(placement, { -toMiddle[0], -toMiddle[1], -toMiddle[2] });
+  }
   const Vector3 straight = { 0.0, 0.0, 1.0 };
   LightSpace space;
   space.TextureToLight =
     MapToAxes(placement, MakeAxes(distance > 0.0 ? Normalized(own) : straight), position);
   bool before = true;
+  double nearest = 1e300;
   space.Extent = 0.0;
   for (const Vector3& corner : GetCorners(placement))
   {
     const Vector3 point = MultiplyPoint(space.TextureToLight, corner);
+    space.Farthest = std::max(space.Farthest, GetLength(point));
+    nearest = std::min(nearest, point[2]);
     before = before && point[2] > 0.0;
     if (before)
     {
@@ -111,6 +122,7 @@ LightSpace MapRaysFromPoint(const VolumePlacement& placement, const Vector3& pos
   if (before && space.Extent <= LargestExtent)
   {
     space.Projection = LightProjection::Perspective;
+    space.Nearest = nearest;
     return space;
   }
   space.Projection = LightProjection::Octahedral;

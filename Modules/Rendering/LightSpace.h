@@ -6,7 +6,8 @@
  * and a distance along the ray in own lengths, which grows away from the light. Rays of a
  * directional light are mapped by their parallel projection; those of a point light by perspective
  * where the box lies within a cone before it, else, the light inside or close by, all around it by
- * octahedral coordinates (Meyer et al. 2010, "On floating-point normal vectors").
+ * octahedral coordinates (Meyer et al. 2010, "On floating-point normal vectors"). A light very far
+ * away has parallel rays.
  */
 
 #ifndef LightSpace_h
@@ -36,6 +37,9 @@ struct PENUMBRARENDERING_EXPORT LightSpace
   Matrix4 LightToTexture{};
   /// Perspective: largest ratio of the first two coordinates to the third.
   double Extent = 1.0;
+  /// The box lies between these distances.
+  double Nearest = 0.0;
+  double Farthest = 0.0;
 };
 
 /// place: position and 1 of a point light, or direction of the shadow rays and 0, in texture

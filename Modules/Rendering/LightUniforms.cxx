@@ -1,7 +1,7 @@
 #include "LightUniforms.h"
 
+#include "OpacityMapPlan.h"
 #include "OpenGLEnumerants.h"
-#include "ShadowMapPlan.h"
 #include "TransferFunctionTable.h"
 
 #include "vtkLight.h"
@@ -267,9 +267,32 @@ void LightUniforms::LookUpMaps(const LightingRequirements& requirements,
             static_cast<float>(space.TextureToLight[4 * axis + column]);
         }
       }
-      this->Map[light] = { static_cast<float>(ShadowMapPlan::SlicesPerLight * caster),
-        static_cast<float>(marchedLength), static_cast<float>(space.Projection),
-        static_cast<float>(space.Extent) };
+      this->Map[light] = { static_cast<float>(caster), static_cast<float>(marchedLength),
+        static_cast<float>(space.Projection), static_cast<float>(space.Extent) };
+      ++caster;
+    });
+}
+
+//------------------------------------------------------------------------------
+void LightUniforms::LookUpLayers(const LightingRequirements& requirements,
+  const std::vector<LightSpace>& spaces, const OpacityMapPlan& plan)
+{
+  this->Layers.assign(this->Position.size(), {});
+  std::size_t caster = 0;
+  VisitShadowedLights(requirements,
+    [&](int light, LightKind, ShadowKind)
+    {
+      if (caster >= spaces.size())
+      {
+        return;
+      }
+      const LightSpace& space = spaces[caster];
+      const double slices = plan.GetNumberOfSlices();
+      const double first = (static_cast<double>(caster) * plan.Layers + 0.5) / slices;
+      const double scale = 1.0 / (plan.GetSpacing(space) * slices);
+      this->Layers[light] = { static_cast<float>(scale),
+        static_cast<float>(first - space.Nearest * scale), static_cast<float>(first),
+        static_cast<float>(first + (plan.Layers - 1.0) / slices) };
       ++caster;
     });
 }
@@ -285,7 +308,7 @@ int LightUniforms::GetLargestNumber(vtkOpenGLRenderWindow* window)
 {
   // Arrays of vectors take four components an element; the scene's other uniforms take fewer than
   // 256.
-  constexpr int componentsPerLight = 11 * 4;
+  constexpr int componentsPerLight = 12 * 4;
   constexpr int otherComponents = 256;
   int components = 0;
   window->GetState()->vtkglGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &components);
@@ -327,6 +350,7 @@ void LightUniforms::Set(vtkShaderProgram* program) const
   setQuadruples("scene_lightShadowComponent", this->ShadowComponent);
   setQuadruples("scene_lightMapAxes", this->MapAxes);
   setQuadruples("scene_lightMap", this->Map);
+  setQuadruples("scene_lightLayers", this->Layers);
   program->SetUniform3f("scene_ambient", this->Ambient.data());
 }
 

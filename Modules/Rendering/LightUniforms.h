@@ -19,6 +19,8 @@ class vtkShaderProgram;
 namespace penumbra
 {
 
+struct OpacityMapPlan;
+
 /// What is kept of a light's shadow depends on besides the matter: where the light comes from,
 /// where the rays begin and the optical depth that makes a hard shadow.
 struct ShadowCaster
@@ -51,6 +53,7 @@ struct LightUniforms
   std::vector<Vector2f> ShadowVolume;
   std::vector<Vector4f> MapAxes; ///< with shadow maps, 3 a light
   std::vector<Vector4f> Map;
+  std::vector<Vector4f> Layers; ///< of opacity shadow maps
   Vector3f Ambient{};
 
   /// ambient: sum of the lights' ambient colours; factor: the material's.
@@ -69,6 +72,9 @@ struct LightUniforms
   /// The same in maps, of the casters' light spaces.
   void LookUpMaps(const LightingRequirements& requirements, const std::vector<LightSpace>& spaces,
     double marchedLength);
+  /// Where their layers are, of opacity shadow maps.
+  void LookUpLayers(const LightingRequirements& requirements, const std::vector<LightSpace>& spaces,
+    const OpacityMapPlan& plan);
 
   /// How many lights fit into the uniforms of a fragment shader. OpenGL 3.2 guarantees 17 of them;
   /// the drivers of graphics cards hold well over a hundred.

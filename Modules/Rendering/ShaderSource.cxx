@@ -38,13 +38,17 @@
 #include "GlslGradientOpacityTable.h"
 #include "GlslGradientSobel.h"
 #include "GlslGradientTexture.h"
+#include "GlslKeptDarknessDeepMap.h"
+#include "GlslKeptDarknessOpacityMap.h"
 #include "GlslLightFalloff.h"
+#include "GlslLightMapPlace.h"
 #include "GlslLightPoint.h"
 #include "GlslLightSpace.h"
 #include "GlslLights.h"
 #include "GlslLightsDirectional.h"
 #include "GlslLightsPoint.h"
 #include "GlslLightsSpot.h"
+#include "GlslMapRay.h"
 #include "GlslMarchSamples.h"
 #include "GlslMarchToMatter.h"
 #include "GlslMaskBinary.h"
@@ -54,6 +58,7 @@
 #include "GlslNearShadowSteps.h"
 #include "GlslNormal.h"
 #include "GlslOpacityIntegral.h"
+#include "GlslOpacityMapFill.h"
 #include "GlslOpacityPoints.h"
 #include "GlslOpacityTable.h"
 #include "GlslReflectionBlinnPhong.h"
@@ -155,7 +160,8 @@ bool KeepsShadows(const Needs& needs)
 bool LooksUpMaps(const Needs& needs, bool)
 {
   return Shadowed(needs) &&
-    (needs.Technique == ShadowTechnique::Map || needs.Technique == ShadowTechnique::DeepMap);
+    (needs.Technique == ShadowTechnique::Map || needs.Technique == ShadowTechnique::DeepMap ||
+      needs.Technique == ShadowTechnique::OpacityMap);
 }
 
 // In GLSL order: what is used stands before its use. Alternatives stand together, and exactly one
@@ -237,6 +243,11 @@ const Snippet PictureSnippets[] = {
   { GlslShadowDepthRay, ShadowedBy<ShadowTechnique::Rays> },
   { GlslShadowDepthVolume, ShadowedBy<ShadowTechnique::Volume> },
   { GlslLightSpace, LooksUpMaps },
+  { GlslLightMapPlace, LooksUpMaps },
+  { GlslKeptDarknessDeepMap,
+    [](const Needs& n, bool c)
+    { return LooksUpMaps(n, c) && n.Technique != ShadowTechnique::OpacityMap; } },
+  { GlslKeptDarknessOpacityMap, ShadowedBy<ShadowTechnique::OpacityMap> },
   { GlslShadowDepthMap, LooksUpMaps },
   { GlslShadowSoft,
     [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Soft) > 0; } },
@@ -399,7 +410,14 @@ std::string GetShadowVolumeSource(const LightingRequirements& requirements)
 std::string GetShadowMapSource(const LightingRequirements& requirements)
 {
   return GetFillSource(
-    requirements, { GlslShadowStep, GlslShadowRay, GlslLightSpace, GlslShadowMapFill });
+    requirements, { GlslShadowStep, GlslShadowRay, GlslLightSpace, GlslMapRay, GlslShadowMapFill });
+}
+
+//------------------------------------------------------------------------------
+std::string GetOpacityMapSource(const LightingRequirements& requirements)
+{
+  return GetFillSource(
+    requirements, { GlslShadowStep, GlslLightSpace, GlslMapRay, GlslOpacityMapFill });
 }
 
 //------------------------------------------------------------------------------

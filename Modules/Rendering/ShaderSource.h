@@ -34,6 +34,9 @@ PENUMBRARENDERING_EXPORT std::string GetShadowVolumeSource(
 /// The fragment shader that makes one light's shadow map or deep shadow map.
 PENUMBRARENDERING_EXPORT std::string GetShadowMapSource(const LightingRequirements& requirements);
 
+/// The fragment shader that makes some layers of one light's opacity shadow map.
+PENUMBRARENDERING_EXPORT std::string GetOpacityMapSource(const LightingRequirements& requirements);
+
 /// The fragment shader that puts a gathered picture over the viewport.
 PENUMBRARENDERING_EXPORT std::string GetCompositeShaderSource();
 

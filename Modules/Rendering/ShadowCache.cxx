@@ -158,7 +158,7 @@ bool ShadowCache::Fill(vtkOpenGLRenderWindow* window, const DrawnScene& scene,
 
 //------------------------------------------------------------------------------
 // VTK takes another slice of a texture that is attached for the same one.
-void ShadowCache::Attach(int firstSlice, int slices)
+void ShadowCache::Attach(int firstSlice, int slices, vtkTextureObject* beside)
 {
   for (int i = 0; i < this->Attached; ++i)
   {
@@ -169,9 +169,13 @@ void ShadowCache::Attach(int firstSlice, int slices)
     this->Framebuffer->AddColorAttachment(i, this->Texture, firstSlice + i);
   }
   this->Attached = slices;
-  if (slices > 0)
+  if (beside)
   {
-    this->Framebuffer->ActivateDrawBuffers(slices);
+    this->Framebuffer->AddColorAttachment(this->Attached++, beside);
+  }
+  if (this->Attached > 0)
+  {
+    this->Framebuffer->ActivateDrawBuffers(this->Attached);
   }
 }
 

@@ -82,8 +82,9 @@ protected:
   /// lights that stay are as they were. No lights give the texture up. False where the graphics
   /// card has no room.
   bool Reserve(vtkOpenGLRenderWindow* window, const TextureLayout& layout, int lights);
-  /// Lets the next draw go to slices of the texture, the first one and those behind it.
-  void Attach(int firstSlice, int slices);
+  /// Lets the next draw go to slices of the texture, the first one and those behind it, and then to
+  /// a texture beside them.
+  void Attach(int firstSlice, int slices, vtkTextureObject* beside = nullptr);
   /// Makes a light's rays march in steps of so many of the smallest spacings, or in the scene's
   /// where those are longer.
   static void SetLeastStep(const Filling& filling, double spacings);

@@ -1,5 +1,7 @@
 #include "ShadowChoice.h"
 
+#include "OpacityMapPlan.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +12,7 @@ namespace penumbra
 {
 namespace
 {
-constexpr std::size_t NumberOfOptions = 6;
+constexpr std::size_t NumberOfOptions = 9;
 
 // Of the options, in their order.
 using OptionErrors = std::array<double, NumberOfOptions>;
@@ -43,7 +45,8 @@ struct OptionSettings
 constexpr OptionSettings Settings[NumberOfOptions] = { { ShadowTechnique::Rays, 1.0, 0 },
   { ShadowTechnique::Volume, 0.5, 0 }, { ShadowTechnique::Volume, 0.75, 0 },
   { ShadowTechnique::DeepMap, 1.0, 0 }, { ShadowTechnique::Volume, 1.0, 4 },
-  { ShadowTechnique::DeepMap, 1.0, 4 } };
+  { ShadowTechnique::DeepMap, 1.0, 4 }, { ShadowTechnique::OpacityMap, 1.0, 0 },
+  { ShadowTechnique::OpacityMap, 1.0, 2 }, { ShadowTechnique::OpacityMap, 1.25, 3 } };
 
 const OptionSettings& GetSettings(ShadowOption option)
 {
@@ -86,6 +89,31 @@ double GetTexelRatio(const OptionSettings& settings, const ShadowChoiceTask& tas
     : 1.0;
 }
 
+// Texels a voxel of the opacity maps of so many lights, as far as memory goes.
+double GetOpacityMapResolution(const OptionSettings& settings, const ShadowChoiceTask& task)
+{
+  const double lights = task.SoftLights + task.HardLights;
+  const double texels =
+    static_cast<double>(task.LargestBytes) / (OpacityMapPlan::BytesPerTexel * lights);
+  return std::min(settings.Resolution, std::cbrt(texels) / std::max(task.MatterAcross, 1.0));
+}
+
+// Of its error to that of what was measured.
+double GetCoarseness(const OptionSettings& settings, const ShadowChoiceTask& task)
+{
+  // Measured: between linear interpolation of a smooth function and of a kink.
+  constexpr double order = 1.5;
+  switch (settings.Technique)
+  {
+    case ShadowTechnique::Volume:
+      return task.SpacingRatio / GetTexelRatio(settings, task);
+    case ShadowTechnique::OpacityMap:
+      return std::pow(settings.Resolution / GetOpacityMapResolution(settings, task), order);
+    default:
+      return 1.0;
+  }
+}
+
 // Errors grow with what they are errors of.
 double GetBrightnessFactor(const ShadowChoiceTask& task)
 {
@@ -102,6 +130,43 @@ double CountLitSamples(const ShadowChoiceTask& task)
   return std::clamp(
     2.0 * hiddenBehind / std::max(task.VoxelDepth, 1e-6), 2.0, task.VoxelsAcross * task.Occupied);
 }
+
+double CountMarchedSteps(const OptionSettings& settings, const ShadowChoiceTask& task)
+{
+  // What is kept serves about a second of moving pictures.
+  constexpr double pictures = 32.0;
+  // Rays end, or leap, well before the far side.
+  constexpr double marchedPart = 0.25;
+  constexpr double volumeLookUp = 1.0;
+  constexpr double mapLookUp = 5.0;
+  constexpr double layerLookUp = 1.25;
+  // Every layer is written, matter or not.
+  constexpr double layer = 2.0;
+  // In a row, with no look for an earlier end.
+  constexpr double nearStep = 0.5;
+  const double lights = task.SoftLights + task.HardLights;
+  const double samples = lights * task.Pixels * CountLitSamples(task);
+  const double ray = marchedPart * task.VoxelsAcross;
+  if (settings.Technique == ShadowTechnique::Rays)
+  {
+    return samples * ray;
+  }
+  if (settings.Technique == ShadowTechnique::DeepMap)
+  {
+    return samples * (mapLookUp + nearStep * settings.NearSteps) +
+      lights * task.VoxelsAcross * task.VoxelsAcross * task.VoxelsAcross / pictures;
+  }
+  if (settings.Technique == ShadowTechnique::OpacityMap)
+  {
+    return samples * (layerLookUp + nearStep * settings.NearSteps) +
+      layer * lights * std::pow(GetOpacityMapResolution(settings, task) * task.MatterAcross, 3) /
+      pictures;
+  }
+  const double texels = lights * task.Voxels * task.Occupied * std::pow(settings.Resolution, 3) *
+    GetTexelRatio(settings, task);
+  return samples * (volumeLookUp + nearStep * settings.NearSteps) +
+    texels * 2.0 * ray * settings.Resolution / pictures;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -115,41 +180,15 @@ double PredictShadowError(ShadowOption option, const ShadowChoiceTask& task)
     // Measured at steps of a voxel. Behind a jump in opacity the error falls no faster.
     return error * task.ShadowStep * GetBrightnessFactor(task);
   }
-  const OptionSettings& settings = GetSettings(option);
-  const double coarseness = settings.Technique == ShadowTechnique::Volume
-    ? task.SpacingRatio / GetTexelRatio(settings, task)
-    : 1.0;
-  return coarseness * error * GetBrightnessFactor(task);
+  return GetCoarseness(GetSettings(option), task) * error * GetBrightnessFactor(task);
 }
 
 //------------------------------------------------------------------------------
 double PredictShadowCost(ShadowOption option, const ShadowChoiceTask& task)
 {
-  // What is kept serves about a second of moving pictures.
-  constexpr double pictures = 32.0;
-  // Rays end, or leap, well before the far side.
-  constexpr double marchedPart = 0.25;
-  constexpr double volumeLookUp = 1.0;
-  constexpr double mapLookUp = 5.0;
-  // In a row, with no look for an earlier end.
-  constexpr double nearStep = 0.5;
-  const double lights = task.SoftLights + task.HardLights;
-  const double samples = lights * task.Pixels * CountLitSamples(task);
-  const double ray = marchedPart * task.VoxelsAcross;
-  const OptionSettings& settings = GetSettings(option);
-  if (settings.Technique == ShadowTechnique::Rays)
-  {
-    return samples * ray;
-  }
-  if (settings.Technique == ShadowTechnique::DeepMap)
-  {
-    return samples * (mapLookUp + nearStep * settings.NearSteps) +
-      lights * task.VoxelsAcross * task.VoxelsAcross * task.VoxelsAcross / pictures;
-  }
-  const double texels = lights * task.Voxels * task.Occupied * std::pow(settings.Resolution, 3) *
-    GetTexelRatio(settings, task);
-  return samples * (volumeLookUp + nearStep * settings.NearSteps) +
-    texels * 2.0 * ray * settings.Resolution / pictures;
+  // A few milliseconds of one processor, which other things of a picture take too.
+  constexpr double negligible = 3e6;
+  return std::max(CountMarchedSteps(GetSettings(option), task), negligible);
 }
 
 //------------------------------------------------------------------------------
@@ -171,11 +210,13 @@ ShadowChoice ChooseShadowTechnique(const ShadowChoiceTask& task)
     {
       return aWithin;
     }
-    return aWithin ? cost(a) < cost(b) : error(a) < error(b);
+    return aWithin && cost(a) != cost(b) ? cost(a) < cost(b) : error(a) < error(b);
   };
-  constexpr std::array<ShadowOption, NumberOfOptions> options = { ShadowOption::Rays,
-    ShadowOption::CoarseVolume, ShadowOption::MediumVolume, ShadowOption::DeepMap,
-    ShadowOption::MarchedVolume, ShadowOption::MarchedDeepMap };
+  std::array<ShadowOption, NumberOfOptions> options;
+  for (std::size_t index = 0; index < options.size(); ++index)
+  {
+    options[index] = static_cast<ShadowOption>(index);
+  }
   choice.Option = *std::min_element(options.begin(), options.end(), cheaper);
   const OptionSettings& settings = GetSettings(choice.Option);
   choice.Technique = settings.Technique;

@@ -13,6 +13,7 @@
 #include "LightingRequirements.h"
 #include "PenumbraRenderingModule.h" // For export macro
 
+#include <cstddef>
 #include <string>
 
 namespace penumbra
@@ -35,14 +36,16 @@ struct ShadowChoiceTask
   double Pixels = 0.0;       ///< that rays are cast from
   double VoxelsAcross = 0.0; ///< the visible box's diagonal, in voxels
   double Voxels = 0.0;       ///< in the visible box
+  double MatterAcross = 0.0; ///< diagonal of the box around visible matter, in voxels
+  std::size_t LargestBytes = std::size_t(512) << 20; ///< that what is kept may take
   /// Part of the volume near visible matter, 0 to 1.
   double Occupied = 1.0;
   double Tolerance = 1.0; ///< root mean square error in grey levels of 255
 };
 
 /// What there is to choose from: rays; volumes of a half and of three quarters of the data's
-/// resolution, and deep maps; a volume of its full resolution, and deep maps, with the first steps
-/// marched.
+/// resolution, deep maps and opacity maps; a volume of its full resolution, deep maps and opacity
+/// maps with the first steps marched, and finer opacity maps.
 enum class ShadowOption
 {
   Rays,
@@ -50,7 +53,10 @@ enum class ShadowOption
   MediumVolume,
   DeepMap,
   MarchedVolume,
-  MarchedDeepMap
+  MarchedDeepMap,
+  OpacityMap,
+  MarchedOpacityMap,
+  FineOpacityMap
 };
 
 struct ShadowChoice
@@ -68,11 +74,11 @@ PENUMBRARENDERING_EXPORT double PredictShadowError(
   ShadowOption option, const ShadowChoiceTask& task);
 
 /// Predicted cost of a picture's shadows, in marched steps; of what is kept a part, as if it served
-/// several pictures.
+/// several pictures. Costs too low to be noticed are one and the same.
 PENUMBRARENDERING_EXPORT double PredictShadowCost(
   ShadowOption option, const ShadowChoiceTask& task);
 
-/// Where none is within the tolerance, the one of the least error.
+/// Where none is within the tolerance, or several cost the same, the one of the least error.
 PENUMBRARENDERING_EXPORT ShadowChoice ChooseShadowTechnique(const ShadowChoiceTask& task);
 
 }

@@ -13,12 +13,6 @@ namespace penumbra
 {
 namespace
 {
-std::size_t GetLargestBytes(const ShadowSettings& settings)
-{
-  constexpr std::size_t bytesPerMiB = std::size_t(1) << 20;
-  return static_cast<std::size_t>(settings.MemoryLimit) * bytesPerMiB;
-}
-
 ShadowVolumePlan PlanVolume(
   const ShadowSettings& settings, vtkOpenGLRenderWindow* window, const DrawnScene& scene)
 {
@@ -36,24 +30,24 @@ ShadowVolumePlan PlanVolume(
   task.Resolution = settings.Resolution;
   task.Lights = static_cast<int>(scene.ShadowCasters.size());
   task.LargestSize = vtkTextureObject::GetMaximumTextureSize3D(window);
-  task.LargestBytes = GetLargestBytes(settings);
+  task.LargestBytes = settings.GetLargestBytes();
   return PlanShadowVolume(task);
 }
 
-ShadowMapPlan PlanMaps(
-  const ShadowSettings& settings, vtkOpenGLRenderWindow* window, const DrawnScene& scene)
+ShadowMapTask DescribeMaps(const ShadowSettings& settings, vtkOpenGLRenderWindow* window,
+  const DrawnScene& scene, const VolumePlacement& matter)
 {
   ShadowMapTask task;
   // The same wherever lights are, so that one that moves leaves the others' maps.
-  task.Span = scene.Placement.GetDiagonal() / scene.Placement.SmallestSpacing;
+  task.Span = matter.GetDiagonal() / matter.SmallestSpacing;
   task.Resolution = settings.Resolution;
   task.Lights = static_cast<int>(scene.ShadowCasters.size());
   task.LargestSize = vtkTextureObject::GetMaximumTextureSize3D(window);
-  task.LargestBytes = GetLargestBytes(settings);
-  return PlanShadowMaps(task);
+  task.LargestBytes = settings.GetLargestBytes();
+  return task;
 }
 
-void MakeLightSpaces(DrawnScene& scene)
+void MakeLightSpaces(const VolumePlacement& matter, DrawnScene& scene)
 {
   const bool firstHits = scene.Requirements.Technique == ShadowTechnique::Map;
   for (ShadowCaster& caster : scene.ShadowCasters)
@@ -61,7 +55,7 @@ void MakeLightSpaces(DrawnScene& scene)
     // A map is the same wherever samples' rays begin.
     caster.Begin = 0.0f;
     caster.FirstHit = firstHits && caster.Hard;
-    scene.LightSpaces.push_back(ComputeLightSpace(scene.Placement, caster.Place));
+    scene.LightSpaces.push_back(ComputeLightSpace(matter, caster.Place));
   }
 }
 
@@ -79,6 +73,7 @@ Room MakeRoom(const ShadowSettings& settings, vtkOpenGLRenderWindow* window, Dra
   scene.LightSpaces.clear();
   scene.VolumeOfShadows = {};
   scene.MapsOfShadows = {};
+  scene.LayersOfShadows = {};
   Room room;
   if (!scene.ShadowCasters.empty())
   {
@@ -90,13 +85,26 @@ Room MakeRoom(const ShadowSettings& settings, vtkOpenGLRenderWindow* window, Dra
     }
     else
     {
-      MakeLightSpaces(scene);
-      scene.MapsOfShadows = PlanMaps(settings, window, scene);
-      room = { scene.MapsOfShadows.Lights, scene.MapsOfShadows.Coarsened };
+      // Only what is visible is shadowed, or casts a shadow.
+      const VolumePlacement matter =
+        drawing.GetTextures().GetEmptySpaceReport().DrawIn(scene.Placement);
+      MakeLightSpaces(matter, scene);
+      const ShadowMapTask task = DescribeMaps(settings, window, scene, matter);
+      if (settings.Technique == ShadowTechnique::OpacityMap)
+      {
+        scene.LayersOfShadows = PlanOpacityMaps(task);
+        room = { scene.LayersOfShadows.Lights, scene.LayersOfShadows.Coarsened };
+      }
+      else
+      {
+        scene.MapsOfShadows = PlanShadowMaps(task);
+        room = { scene.MapsOfShadows.Lights, scene.MapsOfShadows.Coarsened };
+      }
     }
   }
   room.Made = drawing.GetVolumeOfShadows().Allocate(window, scene.VolumeOfShadows) &&
-    drawing.GetMapsOfShadows().Allocate(window, scene.MapsOfShadows);
+    drawing.GetMapsOfShadows().Allocate(window, scene.MapsOfShadows) &&
+    drawing.GetLayersOfShadows().Allocate(window, scene.LayersOfShadows);
   return room;
 }
 
@@ -137,7 +145,7 @@ void PrepareShadows(const ShadowSettings& settings, vtkOpenGLRenderWindow* windo
   scene.Requirements.NearShadowSteps = inARow ? settings.NearSteps : 0;
   scene.ShadowCasters.resize(room.Lights);
   scene.LightSpaces.resize(std::min<std::size_t>(scene.LightSpaces.size(), room.Lights));
-  if (room.Coarsened)
+  if (room.Coarsened && !settings.Chosen)
   {
     messages.emplace_back(
       "Kept shadows are coarser than asked: they would take more memory than is allowed.");
@@ -167,6 +175,10 @@ void LookUpShadows(const ShadowSettings& settings, DrawnScene& scene)
   if (scene.Requirements.Technique != ShadowTechnique::Volume)
   {
     scene.Lights.LookUpMaps(scene.Requirements, scene.LightSpaces, marched);
+    if (scene.Requirements.Technique == ShadowTechnique::OpacityMap)
+    {
+      scene.Lights.LookUpLayers(scene.Requirements, scene.LightSpaces, scene.LayersOfShadows);
+    }
     return;
   }
   scene.Lights.LookUpVolume(

@@ -25,8 +25,8 @@ double CountVisibleVoxels(const VolumePlacement& placement)
   return voxels;
 }
 
-ShadowChoiceTask DescribeChoice(
-  const PictureRequest& request, const DrawnScene& scene, const VolumeTextures& textures)
+ShadowChoiceTask DescribeChoice(const PictureRequest& request, const DrawnScene& scene,
+  const VolumeTextures& textures, std::size_t largestBytes)
 {
   const VolumePlacement& placement = scene.Placement;
   ShadowChoiceTask task;
@@ -44,6 +44,8 @@ ShadowChoiceTask DescribeChoice(
   task.Pixels = 1.0 * size[0] * size[1];
   task.VoxelsAcross = placement.GetDiagonal() / placement.SmallestSpacing;
   task.Voxels = CountVisibleVoxels(placement);
+  task.MatterAcross = matter.DrawIn(placement).GetDiagonal() / placement.SmallestSpacing;
+  task.LargestBytes = largestBytes;
   task.Tolerance = request.Mapper->GetShadowTolerance();
   return task;
 }
@@ -64,10 +66,12 @@ ShadowSettings DecideShadows(
   }
   else if (mapper->GetShadowTechnique() == vtkIlluminatedVolumeMapper::Auto)
   {
-    const ShadowChoice choice = ChooseShadowTechnique(DescribeChoice(request, scene, textures));
+    const ShadowChoice choice =
+      ChooseShadowTechnique(DescribeChoice(request, scene, textures, settings.GetLargestBytes()));
     settings.Technique = choice.Technique;
     settings.Resolution *= choice.Resolution;
     settings.NearSteps = choice.NearSteps;
+    settings.Chosen = true;
     settings.Reason = choice.Reason;
   }
   else

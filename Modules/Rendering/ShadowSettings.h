@@ -8,6 +8,7 @@
 
 #include "LightingRequirements.h"
 
+#include <cstddef>
 #include <string>
 
 namespace penumbra
@@ -24,7 +25,10 @@ struct ShadowSettings
   double Resolution = 1.0;
   int NearSteps = 0;
   int MemoryLimit = 0; ///< in MiB
+  bool Chosen = false; ///< for the scene, not asked
   std::string Reason;  ///< of the technique: one clause
+
+  std::size_t GetLargestBytes() const { return static_cast<std::size_t>(this->MemoryLimit) << 20; }
 };
 
 /// The mapper's settings; where they leave it to Auto, ShadowChoice.h chooses for the scene, whose

@@ -92,8 +92,9 @@ bool PrepareEmptySpace(
   const PictureRequest& request, const DrawnScene& scene, VolumeTextures& textures)
 {
   const bool leaping = request.Mapper->GetSkipEmptySpace();
-  const bool choosing = request.Mapper->GetShadowTechnique() == vtkIlluminatedVolumeMapper::Auto;
-  if (!leaping && !choosing)
+  // Kept shadows lie around what is visible, whether rays leap or not.
+  const bool keeping = request.Mapper->GetShadowTechnique() != vtkIlluminatedVolumeMapper::Rays;
+  if (!leaping && !keeping)
   {
     textures.DropEmptySpace(request.Window);
     return false;

@@ -45,20 +45,24 @@ void VolumeDrawing::SetUniforms(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-std::array<ShadowCache*, 2> VolumeDrawing::GetCaches()
+std::array<ShadowCache*, 3> VolumeDrawing::GetCaches()
 {
-  return { &this->VolumeOfShadows, &this->MapsOfShadows };
+  return { &this->VolumeOfShadows, &this->MapsOfShadows, &this->LayersOfShadows };
 }
 
 //------------------------------------------------------------------------------
 ShadowReport VolumeDrawing::GetShadowReport() const
 {
-  const ShadowCache& volume = this->VolumeOfShadows;
-  const ShadowCache& maps = this->MapsOfShadows;
-  // One of them at most is in use.
-  const ShadowCache& used = volume.GetBytes() > 0 ? volume : maps;
-  return { volume.GetBytes() + maps.GetBytes(),
-    volume.GetNumberOfUpdates() + maps.GetNumberOfUpdates(), used.GetUpdateSeconds() };
+  ShadowReport report;
+  for (const ShadowCache* cache : std::initializer_list<const ShadowCache*>{
+         &this->VolumeOfShadows, &this->MapsOfShadows, &this->LayersOfShadows })
+  {
+    report.Bytes += cache->GetBytes();
+    report.Updates += cache->GetNumberOfUpdates();
+    // One of them at most is in use.
+    report.UpdateSeconds = cache->GetBytes() > 0 ? cache->GetUpdateSeconds() : report.UpdateSeconds;
+  }
+  return report;
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "AccumulationBuffer.h"
 #include "DrawnScene.h"
 #include "EnvironmentTextures.h"
+#include "OpacityMaps.h"
 #include "ShadowMaps.h"
 #include "ShadowVolume.h"
 #include "StandInBox.h"
@@ -50,6 +51,7 @@ public:
   const VolumeTextures& GetTextures() const { return this->Textures; }
   ShadowVolume& GetVolumeOfShadows() { return this->VolumeOfShadows; }
   ShadowMaps& GetMapsOfShadows() { return this->MapsOfShadows; }
+  OpacityMaps& GetLayersOfShadows() { return this->LayersOfShadows; }
   ShadowReport GetShadowReport() const;
   EnvironmentTextures& GetEnvironment() { return this->Environment; }
   const vtkIlluminationPass* GetPass() const { return this->Pass; }
@@ -65,7 +67,7 @@ private:
     int LastStep = 0;
   };
 
-  std::array<ShadowCache*, 2> GetCaches();
+  std::array<ShadowCache*, 3> GetCaches();
   bool UpdateShadows();
   bool Gather(vtkRenderer* renderer, const AccumulationBuffer::Viewport& viewport,
     double imageSampleDistance);
@@ -78,6 +80,7 @@ private:
   EnvironmentTextures Environment;
   ShadowVolume VolumeOfShadows;
   ShadowMaps MapsOfShadows;
+  OpacityMaps LayersOfShadows;
   AccumulationBuffer Accumulation;
   const DrawnScene* Scene = nullptr;
   Part Current;

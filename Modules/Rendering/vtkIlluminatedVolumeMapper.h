@@ -67,7 +67,8 @@ public:
     Rays = 1,
     Volume = 2,
     Map = 3,
-    DeepMap = 4
+    DeepMap = 4,
+    OpacityMap = 5
   };
 
   /// The values are those of penumbra::GradientEstimator.
@@ -94,18 +95,20 @@ public:
    * the light can brighten; it is the definition of the shadow. Volume marches them beforehand over
    * the whole volume, where they are kept until the light, the opacity or what is hidden changes,
    * and looks them up. DeepMap keeps, for each light, how dark it grows along its rays, as a
-   * function of eight nodes a texel; Map, for hard shadows, where these rays are first hidden, and
-   * filters the shadows' edges. Auto takes the cheapest of Rays, Volume and DeepMap whose predicted
-   * error is within ShadowTolerance; it depends on the scene alone, never on a clock. Default:
-   * Auto.
+   * function of eight nodes a texel (Lokovic and Veach 2000), which takes the least memory;
+   * OpacityMap keeps that at even distances, layer by layer (Kim and Neumann 2001), which is looked
+   * up fastest; Map, for hard shadows, where these rays are first hidden, and filters the shadows'
+   * edges. Auto takes the cheapest of all but Map whose predicted error is within ShadowTolerance;
+   * it depends on the scene alone, never on a clock. Default: Auto.
    */
-  vtkSetClampMacro(ShadowTechnique, int, Auto, DeepMap);
+  vtkSetClampMacro(ShadowTechnique, int, Auto, OpacityMap);
   vtkGetMacro(ShadowTechnique, int);
   void SetShadowTechniqueToAuto() { this->SetShadowTechnique(Auto); }
   void SetShadowTechniqueToRays() { this->SetShadowTechnique(Rays); }
   void SetShadowTechniqueToVolume() { this->SetShadowTechnique(Volume); }
   void SetShadowTechniqueToMap() { this->SetShadowTechnique(Map); }
   void SetShadowTechniqueToDeepMap() { this->SetShadowTechnique(DeepMap); }
+  void SetShadowTechniqueToOpacityMap() { this->SetShadowTechnique(OpacityMap); }
   ///@}
 
   ///@{

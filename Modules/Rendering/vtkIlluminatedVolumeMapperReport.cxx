@@ -52,7 +52,8 @@ std::size_t vtkIlluminatedVolumeMapper::GetShadowBytes() const
 double vtkIlluminatedVolumeMapper::GetActualShadowResolution() const
 {
   const DrawnScene& scene = this->Internal->Scene;
-  return std::max(scene.VolumeOfShadows.Resolution, scene.MapsOfShadows.Resolution);
+  return std::max({ scene.VolumeOfShadows.Resolution, scene.MapsOfShadows.Resolution,
+    scene.LayersOfShadows.Resolution });
 }
 
 //------------------------------------------------------------------------------
@@ -138,7 +139,8 @@ const std::vector<std::string>& vtkIlluminatedVolumeMapper::GetMessages() const
 void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  static const char* const techniques[] = { "Auto", "Rays", "Volume", "Map", "DeepMap" };
+  static const char* const techniques[] = { "Auto", "Rays", "Volume", "Map", "DeepMap",
+    "OpacityMap" };
   static const char* const estimators[] = { "CentralDifferences", "ForwardDifferences",
     "BackwardDifferences", "Sobel" };
   static const char* const models[] = { "ByShade", "Absorption", "Emission", "AbsorptionEmission",

@@ -78,10 +78,13 @@ std::string FindWrongTechniques(const LightingRequirements& requirements, const 
   const auto shadowedBy = [&](ShadowTechnique technique)
   { return requirements.GetNumberOfShadowedLights() > 0 && requirements.Technique == technique; };
   const bool maps = shadowedBy(ShadowTechnique::Map) || shadowedBy(ShadowTechnique::DeepMap);
+  const bool layers = shadowedBy(ShadowTechnique::OpacityMap);
   const bool hard = requirements.GetNumberOfLights(ShadowKind::Hard) > 0;
   return Check(
            text, { "uniform sampler3D scene_shadowVolume;" }, shadowedBy(ShadowTechnique::Volume)) +
-    Check(text, { "uniform sampler3D scene_shadowMaps;", "mapPlaceOf(" }, maps) +
+    Check(text, { "uniform sampler3D scene_shadowMaps;" }, maps) +
+    Check(text, { "uniform sampler3D scene_opacityMaps;" }, layers) +
+    Check(text, { "lightMapPlace(" }, maps || layers) +
     Check(text, { "1.0 - keptDarkness(" }, hard && shadowedBy(ShadowTechnique::Map)) +
     Check(text, { "ThinnestShadow" }, hard && requirements.Technique != ShadowTechnique::Map);
 }

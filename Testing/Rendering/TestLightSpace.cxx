@@ -79,6 +79,8 @@ TEST_CASE("Parallel rays keep their place and go as far as own lengths say")
     CHECK(low[0] == Approx(0.0).margin(Rounding));
     CHECK(low[1] == Approx(0.0).margin(Rounding));
     CHECK(low[2] == Approx(0.0).margin(Rounding * high[2]));
+    CHECK(space.Nearest == 0.0);
+    CHECK(space.Farthest == Approx(high[2]).epsilon(Rounding));
     CHECK(std::max(high[0], high[1]) == Approx(1.0));
   }
 }
@@ -101,15 +103,38 @@ TEST_CASE("A light far from the box has a map by perspective, one near or inside
     CHECK(around.Projection == LightProjection::Octahedral);
     const LightSpace before = ComputeLightSpace(placement, MakePlace(far, 1.0f));
     CHECK(before.Projection == LightProjection::Perspective);
+    CHECK(around.Nearest == 0.0);
+    CHECK(before.Nearest > 0.0);
     for (const Vector3& point : GetPoints(placement))
     {
       const Vector3 place = MultiplyPoint(before.TextureToLight, point);
       const double distance = OwnDistance(placement, far, point);
       CHECK(GetLength(place) == Approx(distance).epsilon(Rounding));
       CHECK(place[2] > 0.0);
+      CHECK(distance >= before.Nearest);
+      CHECK(distance <= before.Farthest * (1.0 + Rounding));
+      CHECK(OwnDistance(placement, inside, point) <= around.Farthest * (1.0 + Rounding));
       const double extent = (1.0 + Rounding) * before.Extent * place[2];
       CHECK(std::max(std::abs(place[0]), std::abs(place[1])) <= extent);
     }
+  }
+}
+
+TEST_CASE("A light very far away has parallel rays from where it is")
+{
+  const VolumePlacement placement = MakePlacedVolumes().front().Geometry();
+  const Vector3 towards = { 0.3, -0.8, 0.5 };
+  Vector3 far;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    far[axis] = 0.5 * (placement.BoxLow[axis] + placement.BoxHigh[axis]) + 1e7 * towards[axis];
+  }
+  const LightSpace space = ComputeLightSpace(placement, MakePlace(far, 1.0f));
+  const LightSpace parallel = ComputeLightSpace(placement, MakePlace(towards, 0.0f));
+  REQUIRE(space.Projection == LightProjection::Parallel);
+  for (int i = 0; i < 16; ++i)
+  {
+    CHECK(space.TextureToLight[i] == Approx(parallel.TextureToLight[i]).margin(1e-4));
   }
 }
 

@@ -71,3 +71,35 @@ TEST_CASE("The only voxel of an axis is half a voxel thick to each side")
   visibility.Regions.Low[2] = 0.6;
   CHECK(FindOccupiedBricks(flat, MakeVisible(true), visibility) == Bricks{ 0 });
 }
+
+TEST_CASE("The box of the occupied bricks is the smallest one around them")
+{
+  const BrickGrid grid = MakeBrickGrid({ 17, 13, 9 }, 4);
+  Bricks occupied(4 * 3 * 2, 0);
+  const auto occupy = [&](int x, int y, int z) { occupied[x + 4 * (y + 3 * z)] = 1; };
+  CHECK(FindBoxOfOccupied(occupied, grid).Last[0] < FindBoxOfOccupied(occupied, grid).First[0]);
+  occupy(2, 1, 1);
+  CHECK(FindBoxOfOccupied(occupied, grid).First == std::array<int, 3>{ 2, 1, 1 });
+  CHECK(FindBoxOfOccupied(occupied, grid).Last == std::array<int, 3>{ 2, 1, 1 });
+  occupy(1, 2, 0);
+  CHECK(FindBoxOfOccupied(occupied, grid).First == std::array<int, 3>{ 1, 1, 0 });
+  CHECK(FindBoxOfOccupied(occupied, grid).Last == std::array<int, 3>{ 2, 2, 1 });
+}
+
+TEST_CASE("Bricks lie between their voxels' centres, and the outer ones reach to the faces")
+{
+  // Along x bricks of four cells from voxel 0, 4, 8 and 12 on; one brick along y; one voxel along
+  // z.
+  const BrickGrid grid = MakeBrickGrid({ 17, 5, 1 }, 4);
+  const TextureBox inner = PlaceBricks({ { 1, 0, 0 }, { 2, 0, 0 } }, grid);
+  CHECK(inner.Low[0] == Approx(4.5 / 17.0));
+  CHECK(inner.High[0] == Approx(12.5 / 17.0));
+  for (const int axis : { 1, 2 })
+  {
+    CHECK(inner.Low[axis] == 0.0);
+    CHECK(inner.High[axis] == 1.0);
+  }
+  const TextureBox none = PlaceBricks({}, grid);
+  CHECK(none.Low[0] == 0.0);
+  CHECK(none.High[0] == 1.0);
+}

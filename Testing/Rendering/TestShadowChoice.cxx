@@ -1,13 +1,16 @@
 #include "Catch.h"
 #include "ShadowChoice.h"
 
+#include <cmath>
+
 using namespace penumbra;
 
 namespace
 {
 constexpr ShadowOption Options[] = { ShadowOption::Rays, ShadowOption::CoarseVolume,
   ShadowOption::MediumVolume, ShadowOption::DeepMap, ShadowOption::MarchedVolume,
-  ShadowOption::MarchedDeepMap };
+  ShadowOption::MarchedDeepMap, ShadowOption::OpacityMap, ShadowOption::MarchedOpacityMap,
+  ShadowOption::FineOpacityMap };
 
 // A bone-like volume of 256^3 on 512 x 512 pixels, a tenth of it occupied.
 ShadowChoiceTask MakeTask()
@@ -18,6 +21,7 @@ ShadowChoiceTask MakeTask()
   task.Pixels = 512.0 * 512.0;
   task.VoxelsAcross = 443.0;
   task.Voxels = 256.0 * 256.0 * 256.0;
+  task.MatterAcross = 300.0;
   task.Occupied = 0.1;
   return task;
 }
@@ -123,4 +127,19 @@ TEST_CASE("Shorter steps make rays better, and nothing that is kept")
   CHECK(PredictShadowError(ShadowOption::DeepMap, task) == map);
   task.SteepOpacity = true;
   CHECK(ChooseShadowTechnique(task).Technique == ShadowTechnique::Rays);
+}
+
+TEST_CASE("Memory makes opacity maps coarser, which counts against them")
+{
+  ShadowChoiceTask task = MakeTask();
+  const ShadowOption option = ShadowOption::OpacityMap;
+  const double fine = PredictShadowError(option, task);
+  const double cost = PredictShadowCost(option, task);
+  // 300 texels along each of three edges take 54 MB; so much less makes them half as many.
+  task.LargestBytes = 300 * 300 * 300 * 2 / 8;
+  CHECK(PredictShadowError(option, task) == Approx(std::pow(2.0, 1.5) * fine));
+  CHECK(PredictShadowCost(option, task) < cost);
+  // Four lights share the memory.
+  task.SoftLights = 4;
+  CHECK(PredictShadowError(option, task) == Approx(std::pow(2.0 * std::cbrt(4.0), 1.5) * fine));
 }

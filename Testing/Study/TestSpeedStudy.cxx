@@ -38,8 +38,8 @@ TEST_CASE("A small grid is drawn by every technique that there is")
   const RenderProgram program(PENUMBRA_RENDER, folder.PathOf(""));
   const SpeedStudyResult result =
     RunSpeedStudy({ cell }, { folder.PathOf(""), { {}, &program }, {} });
-  for (const char* variant :
-    { "vtk, unlit", "vtk, lit", "unlit", "lit", "rays", "volume", "deep-map", "auto", "map, hard" })
+  for (const char* variant : { "vtk, unlit", "vtk, lit", "unlit", "lit", "rays", "volume",
+         "deep-map", "opacity-map", "auto", "map, hard" })
   {
     CAPTURE(variant);
     const SpeedRow* row = Find(result, variant);

@@ -2,30 +2,12 @@
 // of eight nodes or fewer that stays within a tolerance of it (Lokovic and Veach 2000). The tolerance grows
 // where eight are too few. Or a shadow map: two nodes, at the first hit.
 
-in vec2 texCoord;
-uniform mat4 scene_lightToTexture;
-uniform int scene_mapProjection;
-uniform float scene_mapExtent;
-uniform float scene_mapLargestDepth; // that is told apart
-uniform float scene_mapFirstHit;     // optical depth of it; less than 0: none is made
+uniform float scene_mapFirstHit; // optical depth of it; less than 0: none is made
 uniform float scene_mapTolerance;
 
 const int Nodes = 8;
 const float Nowhere = 1e30;
 const float WidestTolerance = 1.0; // that every function is within
-
-struct MapRay
-{
-  vec3 origin;
-  vec3 direction;
-  float begin;
-  float end;
-};
-
-float darknessOf(float depth)
-{
-  return sqrt(min(depth / scene_mapLargestDepth, 1.0));
-}
 
 float mapStepBegin(MapRay ray, int step)
 {
@@ -130,15 +112,7 @@ float firstHit(MapRay ray)
 
 void main()
 {
-  vec3 origin;
-  vec3 direction;
-  mapRayOf(texCoord, scene_mapProjection, scene_mapExtent, origin, direction);
-  MapRay ray;
-  ray.origin = (scene_lightToTexture * vec4(origin, 1.0)).xyz;
-  ray.direction = (scene_lightToTexture * vec4(direction, 0.0)).xyz;
-  vec2 visible = keptByPlanes(insideBox(ray.origin, ray.direction), ray.origin, ray.direction);
-  ray.begin = max(visible.x, 0.0);
-  ray.end = visible.y;
+  MapRay ray = mapRayAt(texCoord);
   vec2 node[Nodes];
   if (ray.end <= ray.begin)
   {

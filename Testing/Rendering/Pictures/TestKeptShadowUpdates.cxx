@@ -99,8 +99,8 @@ const std::vector<Edit> Edits = {
 
 TEST_CASE("Kept shadows: an edit computes the lights anew that it concerns, and no others")
 {
-  const int technique =
-    GENERATE(vtkIlluminatedVolumeMapper::Volume, vtkIlluminatedVolumeMapper::DeepMap);
+  const int technique = GENERATE(vtkIlluminatedVolumeMapper::Volume,
+    vtkIlluminatedVolumeMapper::DeepMap, vtkIlluminatedVolumeMapper::OpacityMap);
   for (const Edit& edit : Edits)
   {
     INFO(edit.name << " by technique " << technique);

@@ -1,0 +1,95 @@
+#include "OpacityMaps.h"
+
+#include "DrawnScene.h"
+#include "MatrixUniforms.h"
+#include "ShaderSource.h"
+#include "TextureSampling.h"
+
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <utility>
+
+namespace penumbra
+{
+//------------------------------------------------------------------------------
+bool OpacityMaps::Allocate(vtkOpenGLRenderWindow* window, const OpacityMapPlan& plan)
+{
+  this->Plan = plan;
+  return this->Reserve(window,
+    { { plan.Texels, plan.Texels, plan.GetNumberOfSlices() }, plan.Layers, 2, VTK_UNSIGNED_CHAR,
+      vtkTextureObject::Linear },
+    plan.Lights);
+}
+
+//------------------------------------------------------------------------------
+std::string OpacityMaps::GetSource(const LightingRequirements& requirements) const
+{
+  return GetOpacityMapSource(requirements);
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 2> OpacityMaps::GetSize() const
+{
+  return { this->Plan.Texels, this->Plan.Texels };
+}
+
+//------------------------------------------------------------------------------
+void OpacityMaps::FillLight(const Filling& filling, int slot)
+{
+  constexpr int perDraw = OpacityMapPlan::LayersPerDraw;
+  const ShadowCaster& caster = filling.Scene->ShadowCasters[slot];
+  const LightSpace& space = filling.Scene->LightSpaces[slot];
+  const double spacing = this->Plan.GetSpacing(space);
+  vtkShaderProgram* program = filling.Quad->Program;
+  SetUniform(program, "scene_lightToTexture", space.LightToTexture);
+  program->SetUniformi("scene_mapProjection", static_cast<int>(space.Projection));
+  SetUniform(program, "scene_mapExtent", space.Extent);
+  SetUniform(program, "scene_mapLargestDepth", GetLargestDepth(caster));
+  SetUniform(program, "scene_mapTexels", this->Plan.Texels);
+  SetUniform(program, "scene_mapSpacing", spacing);
+  // A soft shadow is no sharper than its layers, where matter does not jump.
+  const bool fine = caster.Hard || filling.Scene->Requirements.PreIntegrated;
+  this->SetLeastStep(filling, fine ? 0.0 : spacing / filling.Scene->Placement.SmallestSpacing);
+
+  // The optical depth as far as layers are made, read by one draw and written by the next.
+  vtkNew<vtkTextureObject> depths[2];
+  for (const auto& depth : depths)
+  {
+    ResetTexture(depth, filling.Window, vtkTextureObject::Nearest);
+    depth->Create2D(this->Plan.Texels, this->Plan.Texels, 1, VTK_FLOAT, false);
+  }
+  for (int layer = 0; layer < this->Plan.Layers; layer += perDraw)
+  {
+    vtkTextureObject* before = depths[layer / perDraw % 2];
+    vtkTextureObject* after = depths[1 - layer / perDraw % 2];
+    before->Activate();
+    SetSampler(program, "scene_depthBefore", before);
+    program->SetUniformi("scene_mapLayer", layer);
+    SetUniform(program, "scene_mapFirst", space.Nearest + (layer - 1) * spacing);
+    this->Attach(this->Plan.Layers * slot + layer, perDraw, after);
+    this->Draw(filling, 1.0 * perDraw / this->Plan.Layers);
+    before->Deactivate();
+  }
+  this->Attach(0, 0);
+  for (const auto& depth : depths)
+  {
+    depth->ReleaseGraphicsResources(filling.Window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void OpacityMaps::SetUniforms(vtkShaderProgram* program, const DrawnScene&)
+{
+  SetSampler(program, "scene_opacityMaps", this->Texture);
+  const double texels = this->Plan.Texels;
+  const float scaleAndOffset[2] = { static_cast<float>((texels - 2.0) / texels),
+    static_cast<float>(1.0 / texels) };
+  if (program->IsUniformUsed("scene_opacityMapTexels"))
+  {
+    program->SetUniform2f("scene_opacityMapTexels", scaleAndOffset);
+  }
+}
+
+}
