@@ -76,7 +76,7 @@ struct LightUniforms
   void LookUpLayers(const LightingRequirements& requirements, const std::vector<LightSpace>& spaces,
     const OpacityMapPlan& plan);
 
-  /// How many lights fit into the uniforms of a fragment shader. OpenGL 3.2 guarantees 17 of them;
+  /// How many lights fit into the uniforms of a fragment shader. OpenGL 3.2 guarantees 16 of them;
   /// the drivers of graphics cards hold well over a hundred.
   static int GetLargestNumber(vtkOpenGLRenderWindow* window);
 };
