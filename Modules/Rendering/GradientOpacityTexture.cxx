@@ -4,7 +4,6 @@
 #include "MatrixUniforms.h"
 #include "ScalarRange.h"
 #include "TextureSampling.h"
-#include "VisibleScalars.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"

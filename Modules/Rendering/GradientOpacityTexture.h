@@ -6,7 +6,8 @@
 #ifndef GradientOpacityTexture_h
 #define GradientOpacityTexture_h
 
-#include "TransferFunctionTable.h"
+#include "GradientOpacityTable.h"
+#include "LightingRequirements.h"
 #include "VolumePlacement.h"
 
 #include "vtkNew.h"

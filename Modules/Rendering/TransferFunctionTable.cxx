@@ -1,5 +1,6 @@
 #include "TransferFunctionTable.h"
 
+#include "TransferFunctionIntegrals.h"
 #include "TransferFunctionPoints.h"
 
 #include "vtkColorTransferFunction.h"
@@ -8,8 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <iterator>
 
 namespace penumbra
 {
@@ -172,6 +171,27 @@ bool PointsHold(const TransferFunctions& functions, const std::vector<double>& s
     });
 }
 
+// From the functions' first point to their last, within the data.
+void SetRange(const TransferFunctions& functions, const std::vector<double>& scalars,
+  TransferFunctionTable& table)
+{
+  const bool constantBeyond = !scalars.empty() && AreClamped(functions);
+  const double first = constantBeyond ? scalars.front() : functions.DataLow;
+  const double last = constantBeyond ? scalars.back() : functions.DataHigh;
+  table.Low = std::clamp(first, functions.DataLow, functions.DataHigh);
+  table.High = std::clamp(last, functions.DataLow, functions.DataHigh);
+  if (functions.IntegerData)
+  {
+    table.Low = std::floor(table.Low);
+    table.High = std::ceil(table.High);
+  }
+  // One cell more than nothing, so that a constant is a table like any other.
+  if (table.High <= table.Low)
+  {
+    table.High = table.Low + std::max(1.0, std::abs(table.Low) * 1e-6);
+  }
+}
+
 bool FillTable(const TransferFunctions& functions, const std::vector<double>& scalars, int size,
   TransferFunctionTable& table)
 {
@@ -224,127 +244,6 @@ std::vector<double> ClipToData(
   return clipped;
 }
 
-// Extinction, and its products with the colour.
-using Weighted = std::array<double, 4>;
-
-Weighted WeighPoint(const TransferFunctions& functions, double scalar, bool fromBelow)
-{
-  const auto point = GetPoint(functions, scalar, fromBelow).ColorAndOpacity;
-  const double extinction = ComputeExtinction(point[3], functions.UnitDistance);
-  return { extinction, extinction * point[0], extinction * point[1], extinction * point[2] };
-}
-
-Weighted WeighEntry(const TransferFunctionTable& table, double entry)
-{
-  const auto low = static_cast<std::size_t>(entry);
-  const std::size_t high = std::min(low + 1, table.Extinction.size() - 1);
-  const double part = entry - static_cast<double>(low);
-  const auto between = [part](double from, double to) { return from + part * (to - from); };
-  const double extinction = between(table.Extinction[low], table.Extinction[high]);
-  Weighted weighted = { extinction };
-  for (std::size_t channel = 0; channel < 3; ++channel)
-  {
-    weighted[1 + channel] =
-      extinction * between(table.Color[3 * low + channel], table.Color[3 * high + channel]);
-  }
-  return weighted;
-}
-
-Weighted Simpson(const Weighted& from, const Weighted& middle, const Weighted& to, double length)
-{
-  Weighted integral;
-  for (std::size_t i = 0; i < integral.size(); ++i)
-  {
-    integral[i] = length * (from[i] + 4.0 * middle[i] + to[i]) / 6.0;
-  }
-  return integral;
-}
-
-// A cell of the table, exactly where points of the functions lie within it.
-Weighted IntegrateCell(const TransferFunctions& functions, const TransferFunctionTable& table,
-  std::size_t cell, const std::vector<double>& pointsWithin)
-{
-  const auto entry = static_cast<double>(cell);
-  const double length = 1.0 / static_cast<double>(table.Extinction.size());
-  if (pointsWithin.empty())
-  {
-    return Simpson(WeighEntry(table, entry), WeighEntry(table, entry + 0.5),
-      WeighEntry(table, entry + 1.0), length);
-  }
-  const double scalarsPerCell =
-    (table.High - table.Low) / static_cast<double>(table.Extinction.size() - 1);
-  std::vector<double> ends = { table.Low + entry * scalarsPerCell };
-  ends.insert(ends.end(), pointsWithin.begin(), pointsWithin.end());
-  ends.push_back(table.Low + (entry + 1.0) * scalarsPerCell);
-  Weighted sum{};
-  for (std::size_t end = 0; end + 1 < ends.size(); ++end)
-  {
-    const double middle = 0.5 * (ends[end] + ends[end + 1]);
-    const Weighted piece = Simpson(WeighPoint(functions, ends[end], false),
-      WeighPoint(functions, middle, true), WeighPoint(functions, ends[end + 1], true),
-      length * (ends[end + 1] - ends[end]) / scalarsPerCell);
-    std::transform(sum.begin(), sum.end(), piece.begin(), sum.begin(), std::plus<>());
-  }
-  return sum;
-}
-
-std::vector<double> PointsWithin(const std::vector<double>& scalars, double low, double high)
-{
-  std::vector<double> within;
-  std::copy_if(scalars.begin(), scalars.end(), std::back_inserter(within),
-    [=](double scalar) { return scalar > low && scalar < high; });
-  return within;
-}
-
-void FillIntegrals(const TransferFunctions& functions, const std::vector<double>& scalars,
-  TransferFunctionTable& table)
-{
-  const std::vector<double> points =
-    ArePiecewiseLinear(functions) ? scalars : std::vector<double>{};
-  const double scalarsPerCell =
-    (table.High - table.Low) / static_cast<double>(table.Extinction.size() - 1);
-  Weighted sum{};
-  table.ExtinctionIntegral = { 0.0f };
-  table.ColorIntegral.assign(3, 0.0f);
-  for (std::size_t cell = 0; cell + 1 < table.Extinction.size(); ++cell)
-  {
-    const double low = table.Low + static_cast<double>(cell) * scalarsPerCell;
-    const Weighted integral =
-      IntegrateCell(functions, table, cell, PointsWithin(points, low, low + scalarsPerCell));
-    std::transform(sum.begin(), sum.end(), integral.begin(), sum.begin(), std::plus<>());
-    table.ExtinctionIntegral.push_back(static_cast<float>(sum[0]));
-    std::transform(sum.begin() + 1, sum.end(), std::back_inserter(table.ColorIntegral),
-      [](double value) { return static_cast<float>(value); });
-  }
-}
-
-// Whether, for some part of the data's range as wide as what a step passes at an edge, the
-// extinction in its middle is far from the mean over it: by more than a tenth of an optical depth
-// per length.
-bool IsSteep(const TransferFunctions& functions, const TransferFunctionTable& table)
-{
-  constexpr double partOfRange = 1.0 / 64.0;
-  constexpr double depth = 0.1;
-  constexpr double share = 0.25;
-  const double cells = static_cast<double>(table.Extinction.size() - 1);
-  const double width = partOfRange * (functions.DataHigh - functions.DataLow);
-  const auto half =
-    static_cast<std::size_t>(std::min(0.5 * width * cells / (table.High - table.Low), 0.5 * cells));
-  for (std::size_t middle = half; half > 0 && middle + half < table.Extinction.size(); ++middle)
-  {
-    const double mean =
-      (table.ExtinctionIntegral[middle + half] - table.ExtinctionIntegral[middle - half]) *
-      (cells + 1.0) / (2.0 * static_cast<double>(half));
-    const double exact = table.Extinction[middle];
-    const double difference = std::abs(mean - exact);
-    if (difference * functions.Step > depth && difference > share * std::max(mean, exact))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 void FillPoints(const TransferFunctions& functions,
   const std::vector<TransferFunctionPoint>& points, TransferFunctionTable& table)
 {
@@ -372,36 +271,14 @@ double ComputeExtinction(double opacity, double unitDistance)
 //------------------------------------------------------------------------------
 TransferFunctionTable MakeTransferFunctionTable(const TransferFunctions& functions, int largestSize)
 {
-  TransferFunctionTable table;
   const std::vector<double> scalars = GetPointScalars(functions);
-  const bool constantBeyond = !scalars.empty() && AreClamped(functions);
-  const double first = constantBeyond ? scalars.front() : functions.DataLow;
-  const double last = constantBeyond ? scalars.back() : functions.DataHigh;
-  table.Low = std::clamp(first, functions.DataLow, functions.DataHigh);
-  table.High = std::clamp(last, functions.DataLow, functions.DataHigh);
-  if (functions.IntegerData)
-  {
-    table.Low = std::floor(table.Low);
-    table.High = std::ceil(table.High);
-  }
-  // One cell more than nothing, so that a constant is a table like any other.
-  if (table.High <= table.Low)
-  {
-    table.High = table.Low + std::max(1.0, std::abs(table.Low) * 1e-6);
-  }
-  for (int size : GetSizes(table, functions.IntegerData, largestSize))
-  {
-    if (FillTable(functions, scalars, size, table))
-    {
-      FillIntegrals(functions, scalars, table);
-      table.Steep = IsSteep(functions, table);
-      return table;
-    }
-  }
-  table.Accurate = false;
-  FillIntegrals(functions, scalars, table);
-  table.Steep = IsSteep(functions, table);
-  if (ArePiecewiseLinear(functions) && !scalars.empty())
+  TransferFunctionTable table;
+  SetRange(functions, scalars, table);
+  const std::vector<int> sizes = GetSizes(table, functions.IntegerData, largestSize);
+  table.Accurate = std::any_of(sizes.begin(), sizes.end(),
+    [&](int size) { return FillTable(functions, scalars, size, table); });
+  FillIntegrals(functions, table);
+  if (!table.Accurate && ArePiecewiseLinear(functions) && !scalars.empty())
   {
     const auto points = GetPoints(functions, ClipToData(functions, scalars));
     table.Accurate = static_cast<int>(points.size()) <= largestSize;
@@ -409,48 +286,6 @@ TransferFunctionTable MakeTransferFunctionTable(const TransferFunctions& functio
     {
       FillPoints(functions, points, table);
     }
-  }
-  return table;
-}
-
-//------------------------------------------------------------------------------
-GradientOpacityTable MakeGradientOpacityTable(
-  vtkPiecewiseFunction* function, int size, double largestGradient)
-{
-  GradientOpacityTable table;
-  table.Opacity.assign(size, 1.0f);
-  const int last = function->GetSize() - 1;
-  if (last < 0)
-  {
-    return table;
-  }
-  double node[4];
-  const auto getNode = [&](int i, int value)
-  {
-    function->GetNodeValue(i, node);
-    return node[value];
-  };
-  int begin = 0;
-  while (begin < last && getNode(begin + 1, 1) == getNode(begin, 1))
-  {
-    ++begin;
-  }
-  int end = last;
-  while (end > begin && getNode(end - 1, 1) == getNode(end, 1))
-  {
-    --end;
-  }
-  table.Low = getNode(begin, 0);
-  table.High = std::min(getNode(end, 0), largestGradient);
-  if (table.High <= table.Low)
-  {
-    table.High = table.Low + std::max(1.0, std::abs(table.Low) * 1e-6);
-  }
-  for (int entry = 0; entry < size; ++entry)
-  {
-    const double root = static_cast<double>(entry) / (size - 1);
-    table.Opacity[entry] =
-      static_cast<float>(function->GetValue(table.Low + root * root * (table.High - table.Low)));
   }
   return table;
 }

@@ -67,20 +67,6 @@ struct TransferFunctionTable
 PENUMBRARENDERING_EXPORT TransferFunctionTable MakeTransferFunctionTable(
   const TransferFunctions& functions, int largestSize);
 
-/// A table of a gradient opacity function between the points where it begins and ceases to change,
-/// and no further than the largest gradient. It is even in the root of the distance from Low: such
-/// functions rise at gradients that are small against the largest. Ramps narrower than its cells
-/// are smoothed.
-struct GradientOpacityTable
-{
-  double Low = 0.0;
-  double High = 0.0;
-  std::vector<float> Opacity;
-};
-
-PENUMBRARENDERING_EXPORT GradientOpacityTable MakeGradientOpacityTable(
-  vtkPiecewiseFunction* function, int size, double largestGradient);
-
 }
 
 #endif

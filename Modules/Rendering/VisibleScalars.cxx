@@ -1,7 +1,6 @@
 #include "VisibleScalars.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace penumbra
@@ -75,24 +74,6 @@ bool VisibleScalars::AnyBetween(double low, double high) const
   const auto next = std::lower_bound(this->Intervals.begin(), this->Intervals.end(), low,
     [](const std::array<double, 2>& interval, double scalar) { return interval[1] < scalar; });
   return next != this->Intervals.end() && (*next)[0] <= high;
-}
-
-//------------------------------------------------------------------------------
-double FindLeastVisibleGradient(const GradientOpacityTable& table)
-{
-  const auto first = std::find_if(
-    table.Opacity.begin(), table.Opacity.end(), [](float opacity) { return opacity > 0.0f; });
-  if (first == table.Opacity.end())
-  {
-    return Infinity;
-  }
-  if (first == table.Opacity.begin())
-  {
-    return 0.0;
-  }
-  const double root = static_cast<double>(first - table.Opacity.begin() - 1) /
-    static_cast<double>(table.Opacity.size() - 1);
-  return table.Low + root * root * (table.High - table.Low);
 }
 
 }

@@ -30,10 +30,6 @@ private:
   std::vector<std::array<double, 2>> Intervals;
 };
 
-/// The least magnitude to which a table of gradient opacity gives any opacity; infinite where there
-/// is none.
-PENUMBRARENDERING_EXPORT double FindLeastVisibleGradient(const GradientOpacityTable& table);
-
 }
 
 #endif

@@ -1,8 +1,6 @@
 #include "Catch.h"
 #include "VisibleScalars.h"
 
-#include <limits>
-
 using namespace penumbra;
 
 namespace
@@ -66,18 +64,4 @@ TEST_CASE("Points are visible up to their neighbours")
   CHECK(visible.AnyBetween(105.0, 105.0));
   CHECK(visible.AnyBetween(105.9, 200.0));
   CHECK_FALSE(visible.AnyBetween(106.1, 200.0));
-}
-
-TEST_CASE("The least visible gradient is where gradient opacity begins to rise")
-{
-  GradientOpacityTable table;
-  table.Low = 2.0;
-  table.High = 10.0;
-  table.Opacity = { 0, 0, 0, 0.1f, 1 };
-  // Entries are even in the root of the distance from Low; the third is the last that is 0.
-  CHECK(FindLeastVisibleGradient(table) == Approx(2.0 + 0.25 * 8.0));
-  table.Opacity = { 0.1f, 0, 0 };
-  CHECK(FindLeastVisibleGradient(table) == 0.0);
-  table.Opacity = { 0, 0, 0 };
-  CHECK(FindLeastVisibleGradient(table) == std::numeric_limits<double>::infinity());
 }
