@@ -64,22 +64,6 @@ void Mask(IlluminatedScene& scene)
     SampleField({ { 32, 32, 32 } }, [](const Point& p) { return p[1] < CutHeight ? 1.0 : 0.0; }));
   scene.Mapper->SetMaskTypeToBinary();
 }
-}
-
-TEST_CASE("Hidden matter casts no shadow", "[shadow]")
-{
-  const int shadow = GENERATE(vtkVolumeLight::Soft, vtkVolumeLight::Hard);
-  using Hide = void (*)(IlluminatedScene&);
-  const Hide hide = GENERATE(as<Hide>{}, Clip, Crop, CropRegions, Mask);
-  const auto floorAlone = MakeScene(false, shadow)->Render();
-  const auto shadowed = MakeScene(true, shadow)->Render();
-  auto scene = MakeScene(true, shadow);
-  hide(*scene);
-  const auto hidden = scene->Render();
-  CHECK(CompareImages(shadowed, floorAlone).rmse > 5.0);
-  // Steps are cut at another place, nothing else.
-  CHECK(CompareImages(hidden, floorAlone).rmse < 0.3);
-}
 
 // Matter so thin that it hardly shadows itself, a little denser towards a cut, and just behind the
 // cut opaque matter. The light comes from the thin end; the eye looks along the cut, where rays are
@@ -97,6 +81,22 @@ std::unique_ptr<IlluminatedScene> MakeCutBeforeOpaqueMatter()
   plane->SetNormal(0.0, 0.0, -1.0);
   scene->Mapper->AddClippingPlane(plane);
   return scene;
+}
+}
+
+TEST_CASE("Hidden matter casts no shadow", "[shadow]")
+{
+  const int shadow = GENERATE(vtkVolumeLight::Soft, vtkVolumeLight::Hard);
+  using Hide = void (*)(IlluminatedScene&);
+  const Hide hide = GENERATE(as<Hide>{}, Clip, Crop, CropRegions, Mask);
+  const auto floorAlone = MakeScene(false, shadow)->Render();
+  const auto shadowed = MakeScene(true, shadow)->Render();
+  auto scene = MakeScene(true, shadow);
+  hide(*scene);
+  const auto hidden = scene->Render();
+  CHECK(CompareImages(shadowed, floorAlone).rmse > 5.0);
+  // Steps are cut at another place, nothing else.
+  CHECK(CompareImages(hidden, floorAlone).rmse < 0.3);
 }
 
 TEST_CASE("Hidden matter darkens no sample before its cut where a shadow volume is coarse")
