@@ -96,6 +96,18 @@ Json DescribeKeptShadows(vtkIlluminatedVolumeMapper* mapper)
     { "lightsComputed", mapper->GetNumberOfShadowUpdates() } };
 }
 
+// Null where they are not counted.
+Json DescribeRayCounts(vtkIlluminatedVolumeMapper* mapper)
+{
+  if (!mapper || !mapper->GetRayCounting())
+  {
+    return nullptr;
+  }
+  return { { "samples", mapper->GetNumberOfSamples() },
+    { "shadedSamples", mapper->GetNumberOfShadedSamples() },
+    { "shadowSteps", mapper->GetNumberOfShadowSteps() } };
+}
+
 // Null where it did not render.
 Json DescribeReference(const std::optional<ReferenceStatistics>& statistics)
 {
@@ -154,6 +166,7 @@ std::string WriteReport(const RenderedFrames& frames, vtkImageData* volume,
   report["requirements"] = requirements;
   report["emptySpace"] = DescribeEmptySpace(mapper);
   report["gradientTexture"] = DescribeGradientTexture(mapper);
+  report["rayCounts"] = DescribeRayCounts(mapper);
   report["leftOut"] = mapper ? mapper->GetRequirements().GetLeftOut() : std::vector<std::string>();
   report["choices"] = texts.Choices;
   report["warnings"] = texts.Warnings;

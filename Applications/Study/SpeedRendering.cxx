@@ -102,11 +102,21 @@ StudyPicture SpeedRendering::TakePicture() const
 //------------------------------------------------------------------------------
 nlohmann::json SpeedRendering::Report()
 {
+  vtkIlluminatedVolumeMapper* mapper = this->Rendering.GetIlluminatedMapper();
+  if (mapper)
+  {
+    mapper->RayCountingOn();
+    this->Draw();
+  }
   RenderedFrames frames;
   frames.Picture = this->Drawing.TakePicture();
   frames.OpenGLRenderer = this->Drawing.Renderer;
-  return nlohmann::json::parse(
-    WriteReport(frames, this->Volume, this->Rendering.GetIlluminatedMapper(), {}));
+  const std::string report = WriteReport(frames, this->Volume, mapper, {});
+  if (mapper)
+  {
+    mapper->RayCountingOff();
+  }
+  return nlohmann::json::parse(report);
 }
 
 //------------------------------------------------------------------------------

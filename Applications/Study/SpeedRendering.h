@@ -41,7 +41,8 @@ public:
   /// What was drawn last.
   StudyPicture TakePicture() const;
 
-  /// As penumbra-render reports it, of what was drawn last.
+  /// Draws a frame more, to count what its rays do, and reports it as penumbra-render does.
+  /// @throw RenderingError where VTK has an error to tell.
   nlohmann::json Report();
 
   /// What the renderer does otherwise than asked.

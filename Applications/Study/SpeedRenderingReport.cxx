@@ -13,7 +13,9 @@ std::map<std::string, double> CountsOf(const nlohmann::json& report)
 {
   static const std::pair<const char*, const char*> places[] = { { "/emptySpace/bricks", "bricks" },
     { "/emptySpace/occupiedBricks", "occupied bricks" }, { "/keptShadows/bytes", "shadow bytes" },
-    { "/keptShadows/nearSteps", "near steps" }, { "/gradientTexture/bytes", "gradient bytes" } };
+    { "/keptShadows/nearSteps", "near steps" }, { "/gradientTexture/bytes", "gradient bytes" },
+    { "/rayCounts/samples", "samples" }, { "/rayCounts/shadedSamples", "shaded samples" },
+    { "/rayCounts/shadowSteps", "shadow steps" } };
   std::map<std::string, double> counts;
   for (const auto& [place, name] : places)
   {

@@ -144,6 +144,8 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   bool PreIntegrated = false;
   /// Rays leap over bricks without visible matter.
   bool EmptySpaceSkipping = false;
+  /// What rays do is counted in place of colours. No scene needs it; it is asked for.
+  bool Counting = false;
 
   bool operator==(const LightingRequirements& other) const;
   bool operator!=(const LightingRequirements& other) const { return !(*this == other); }

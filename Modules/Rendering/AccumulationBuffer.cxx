@@ -7,7 +7,12 @@
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPixelBufferObject.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <vector>
 
 namespace penumbra
 {
@@ -87,7 +92,7 @@ bool AccumulationBuffer::Gather(vtkOpenGLRenderWindow* window, const Viewport& v
     state->PopDrawFramebufferBinding();
   }
   this->Previous = nullptr;
-  this->Composite(window, viewport, this->Pictures[(draws - 1) % 2]);
+  this->Gathered = this->Pictures[(draws - 1) % 2];
   return true;
 }
 
@@ -107,8 +112,7 @@ int AccumulationBuffer::GetPreviousTextureUnit()
 }
 
 //------------------------------------------------------------------------------
-void AccumulationBuffer::Composite(
-  vtkOpenGLRenderWindow* window, const Viewport& viewport, vtkTextureObject* picture)
+void AccumulationBuffer::Composite(vtkOpenGLRenderWindow* window, const Viewport& viewport)
 {
   // The window's shader cache keeps the program; a quad that is kept would outlive it.
   vtkOpenGLQuadHelper quad(window, nullptr, GetCompositeShaderSource().c_str(), nullptr);
@@ -129,10 +133,30 @@ void AccumulationBuffer::Composite(
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   state->vtkglDepthMask(GL_FALSE);
-  picture->Activate();
-  quad.Program->SetUniformi("scene_accumulated", picture->GetTextureUnit());
+  this->Gathered->Activate();
+  quad.Program->SetUniformi("scene_accumulated", this->Gathered->GetTextureUnit());
   quad.Render();
-  picture->Deactivate();
+  this->Gathered->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+Vector3 AccumulationBuffer::Sum()
+{
+  constexpr int channels = 4;
+  unsigned int size[2] = { this->Gathered->GetWidth(), this->Gathered->GetHeight() };
+  std::vector<float> pixels(static_cast<std::size_t>(channels) * size[0] * size[1]);
+  vtkIdType increments[2] = { 0, 0 };
+  const auto download = vtkSmartPointer<vtkPixelBufferObject>::Take(this->Gathered->Download());
+  download->Download2D(VTK_FLOAT, pixels.data(), size, channels, increments);
+  Vector3 sum{};
+  for (std::size_t value = 0; value < pixels.size(); value += channels)
+  {
+    for (std::size_t channel = 0; channel < sum.size(); ++channel)
+    {
+      sum[channel] += pixels[value + channel];
+    }
+  }
+  return sum;
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,8 @@
 #ifndef AccumulationBuffer_h
 #define AccumulationBuffer_h
 
+#include "VolumePlacement.h"
+
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
@@ -33,8 +35,8 @@ public:
     int Height = 0;
   };
 
-  /// Calls draw(i) for each of the draws with the buffer bound for drawing, then composites the
-  /// result over the viewport. False without float pictures.
+  /// Calls draw(i) for each of the draws with the buffer bound for drawing. False without float
+  /// pictures.
   bool Gather(vtkOpenGLRenderWindow* window, const Viewport& viewport, int width, int height,
     int draws, const std::function<void(int)>& draw);
 
@@ -45,17 +47,22 @@ public:
   /// Unit of the texture that the draw in progress reads.
   int GetPreviousTextureUnit();
 
+  /// Puts what was gathered over the viewport.
+  void Composite(vtkOpenGLRenderWindow* window, const Viewport& viewport);
+
+  /// Red, green and blue of what was gathered, summed over all pixels.
+  Vector3 Sum();
+
   void Release(vtkOpenGLRenderWindow* window);
 
 private:
   bool Resize(vtkOpenGLRenderWindow* window, int width, int height);
   void Clear(vtkOpenGLRenderWindow* window, int target);
-  void Composite(
-    vtkOpenGLRenderWindow* window, const Viewport& viewport, vtkTextureObject* picture);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::array<vtkNew<vtkTextureObject>, 2> Pictures;
   vtkTextureObject* Previous = nullptr;
+  vtkTextureObject* Gathered = nullptr;
 };
 
 }

@@ -15,6 +15,8 @@
 #include "GlslCompositingOver.h"
 #include "GlslCosines.h"
 #include "GlslCosinesPreferred.h"
+#include "GlslCountingNone.h"
+#include "GlslCountingSteps.h"
 #include "GlslCroppingBox.h"
 #include "GlslCroppingRegions.h"
 #include "GlslDeclarations.h"
@@ -168,6 +170,8 @@ bool LooksUpMaps(const Needs& needs, bool)
 // of them is needed. First what matter is, for view rays and shadow rays alike.
 const Snippet MatterSnippets[] = {
   { GlslDeclarations, Always },
+  { GlslCountingNone, [](const Needs& n, bool) { return !n.Counting; } },
+  { GlslCountingSteps, [](const Needs& n, bool) { return n.Counting; } },
   { GlslBoxInterval, Always },
   { GlslTransmittance, Always },
   { GlslOpacityTable,

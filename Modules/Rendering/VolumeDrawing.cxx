@@ -99,15 +99,13 @@ bool VolumeDrawing::Gather(
 }
 
 //------------------------------------------------------------------------------
-std::string VolumeDrawing::Draw(
-  vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance)
+std::string VolumeDrawing::DrawWith(vtkRenderer* renderer, const DrawnScene& scene,
+  const std::function<bool(const AccumulationBuffer::Viewport&)>& draw)
 {
   const char* const noProgram = "The volume is not drawn: its shader program could not be built.";
   this->Scene = &scene;
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  this->Gathering = scene.Plan.Draws > 1 || imageSampleDistance != 1.0;
   this->Box.Place(scene.Placement);
-  this->Pass->Select(scene.Requirements, this->Gathering);
   this->Pass->ExpectDraw();
   this->Textures.Activate();
   if (!this->UpdateShadows())
@@ -122,15 +120,7 @@ std::string VolumeDrawing::Draw(
   }
   AccumulationBuffer::Viewport viewport;
   renderer->GetTiledSizeAndOrigin(&viewport.Width, &viewport.Height, &viewport.X, &viewport.Y);
-  bool gathered = true;
-  if (this->Gathering)
-  {
-    gathered = this->Gather(renderer, viewport, imageSampleDistance);
-  }
-  else
-  {
-    this->DrawPart(renderer, { viewport, 0, scene.Plan.Steps });
-  }
+  const bool drawn = draw(viewport);
   this->Textures.Deactivate();
   this->Environment.Deactivate();
   for (ShadowCache* cache : this->GetCaches())
@@ -138,12 +128,56 @@ std::string VolumeDrawing::Draw(
     cache->Deactivate();
   }
   this->Scene = nullptr;
-  if (!gathered)
+  if (!drawn)
   {
     return "The volume is not drawn: the picture is made in parts, which needs a float framebuffer "
            "that the graphics card does not have.";
   }
   return this->Pass->GetProgramFailed() ? noProgram : "";
+}
+
+//------------------------------------------------------------------------------
+std::string VolumeDrawing::Draw(
+  vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance)
+{
+  this->Gathering = scene.Plan.Draws > 1 || imageSampleDistance != 1.0;
+  this->Pass->Select(scene.Requirements, this->Gathering);
+  return this->DrawWith(renderer, scene,
+    [&](const AccumulationBuffer::Viewport& viewport)
+    {
+      if (!this->Gathering)
+      {
+        this->DrawPart(renderer, { viewport, 0, scene.Plan.Steps });
+        return true;
+      }
+      if (!this->Gather(renderer, viewport, imageSampleDistance))
+      {
+        return false;
+      }
+      this->Accumulation.Composite(this->Window, viewport);
+      return true;
+    });
+}
+
+//------------------------------------------------------------------------------
+std::string VolumeDrawing::Count(
+  vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance, RayCounts& counts)
+{
+  LightingRequirements needs = scene.Requirements;
+  needs.Counting = true;
+  this->Gathering = true;
+  this->Pass->Select(needs, this->Gathering);
+  return this->DrawWith(renderer, scene,
+    [&](const AccumulationBuffer::Viewport& viewport)
+    {
+      if (!this->Gather(renderer, viewport, imageSampleDistance))
+      {
+        return false;
+      }
+      const auto [samples, shaded, shadowSteps] = this->Accumulation.Sum();
+      counts = { samples, shaded, shadowSteps };
+      return true;
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "DrawnScene.h"
 #include "EnvironmentTextures.h"
 #include "OpacityMaps.h"
+#include "RayCounts.h"
 #include "ShadowMaps.h"
 #include "ShadowVolume.h"
 #include "StandInBox.h"
@@ -21,6 +22,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 
 class vtkOpenGLRenderWindow;
@@ -47,6 +49,11 @@ public:
   /// ray. Empty, or why the volume is not drawn: one sentence.
   std::string Draw(vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance);
 
+  /// Draws the same picture out of sight, to count what its rays do. Empty, or why they are not
+  /// counted.
+  std::string Count(
+    vtkRenderer* renderer, const DrawnScene& scene, double imageSampleDistance, RayCounts& counts);
+
   VolumeTextures& GetTextures() { return this->Textures; }
   const VolumeTextures& GetTextures() const { return this->Textures; }
   ShadowVolume& GetVolumeOfShadows() { return this->VolumeOfShadows; }
@@ -69,6 +76,10 @@ private:
 
   std::array<ShadowCache*, 3> GetCaches();
   bool UpdateShadows();
+  /// With the program that is selected, and all its textures active for `draw`, which is told the
+  /// viewport and returns false without float pictures.
+  std::string DrawWith(vtkRenderer* renderer, const DrawnScene& scene,
+    const std::function<bool(const AccumulationBuffer::Viewport&)>& draw);
   bool Gather(vtkRenderer* renderer, const AccumulationBuffer::Viewport& viewport,
     double imageSampleDistance);
   void DrawPart(vtkRenderer* renderer, const Part& part);

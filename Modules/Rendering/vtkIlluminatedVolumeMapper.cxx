@@ -57,6 +57,7 @@ void vtkIlluminatedVolumeMapper::Say(const std::string& message)
 void vtkIlluminatedVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
 {
   this->Internal->Messages.clear();
+  this->Internal->Counts = {};
   this->MoveTo(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   int cellFlag = 0;
   vtkDataArray* scalars = vtkAbstractMapper::GetScalars(this->GetDataSetInput(), this->ScalarMode,
@@ -124,6 +125,22 @@ void vtkIlluminatedVolumeMapper::DrawIlluminated(
   else if (internal.Scene.AnythingVisible)
   {
     this->DrawInTime(renderer, volume->GetAllocatedRenderTime());
+    if (this->RayCounting)
+    {
+      this->CountRays(renderer);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedVolumeMapper::CountRays(vtkRenderer* renderer)
+{
+  Internals& internal = *this->Internal;
+  const std::string fault =
+    internal.Drawing.Count(renderer, internal.Scene, internal.ImageSampleDistance, internal.Counts);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault);
   }
 }
 

@@ -300,6 +300,27 @@ public:
    */
   int GetNumberOfDraws() const;
 
+  ///@{
+  /**
+   * Whether Render() draws every picture once more, out of sight, to count what its rays do. For
+   * studies of what pictures cost: it takes as long as the picture. Default: off.
+   */
+  vtkSetMacro(RayCounting, bool);
+  vtkGetMacro(RayCounting, bool);
+  vtkBooleanMacro(RayCounting, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the rays of the last Render() did, over all pixels: samples of view rays, with matter or
+   * without; those of them whose light was computed; steps of shadow rays from there, not of what
+   * is kept of shadows. 0 where RayCounting is off, and where the stock ray caster drew.
+   */
+  double GetNumberOfSamples() const;
+  double GetNumberOfShadedSamples() const;
+  double GetNumberOfShadowSteps() const;
+  ///@}
+
   /**
    * Number of times that a shader program was built since this mapper was made. It grows when the
    * requirements change, not when a light moves or changes its colour.
@@ -330,6 +351,7 @@ protected:
   void MoveTo(vtkOpenGLRenderWindow* window);
   void DrawInTime(vtkRenderer* renderer, double allocatedSeconds);
   void Draw(vtkRenderer* renderer);
+  void CountRays(vtkRenderer* renderer);
   void Say(const std::string& message);
 
   int ShadowTechnique = Auto;
@@ -342,6 +364,7 @@ protected:
   int GradientTextureBits = 0;
   int OpticalModel = ByShade;
   bool SkipEmptySpace = true;
+  bool RayCounting = false;
 
 private:
   vtkIlluminatedVolumeMapper(const vtkIlluminatedVolumeMapper&) = delete;

@@ -8,6 +8,7 @@
 
 #include "DrawnScene.h"
 #include "InteractiveResolution.h"
+#include "RayCounts.h"
 #include "ShadowSettings.h"
 #include "VolumeDrawing.h"
 #include "vtkIlluminatedVolumeMapper.h"
@@ -35,6 +36,7 @@ public:
   penumbra::ShadowSettings Shadows;
   penumbra::VolumeDrawing Drawing;
   penumbra::InteractiveResolution Resolution;
+  penumbra::RayCounts Counts;       ///< of the last frame
   double ImageSampleDistance = 1.0; ///< of the last frame
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::vector<std::string> Messages;

@@ -124,6 +124,24 @@ double vtkIlluminatedVolumeMapper::GetMeanVoxelDepth() const
 }
 
 //------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetNumberOfSamples() const
+{
+  return this->Internal->Counts.Samples;
+}
+
+//------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetNumberOfShadedSamples() const
+{
+  return this->Internal->Counts.ShadedSamples;
+}
+
+//------------------------------------------------------------------------------
+double vtkIlluminatedVolumeMapper::GetNumberOfShadowSteps() const
+{
+  return this->Internal->Counts.ShadowSteps;
+}
+
+//------------------------------------------------------------------------------
 const std::string& vtkIlluminatedVolumeMapper::GetFragmentShaderSource() const
 {
   return this->Internal->Drawing.GetPass()->GetFragmentSource();
@@ -156,6 +174,7 @@ void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("GradientEstimator", estimators[this->GradientEstimator]);
   print("GradientTextureBits", this->GradientTextureBits);
   print("SkipEmptySpace", this->SkipEmptySpace ? "On" : "Off");
+  print("RayCounting", this->RayCounting ? "On" : "Off");
   print("OpticalModel", models[this->OpticalModel]);
   print("ShadowTechniqueReason", this->GetShadowTechniqueReason());
   print("ShadowBytes", this->GetShadowBytes());
@@ -174,6 +193,9 @@ void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("ActualShadowSampleDistance", this->GetActualShadowSampleDistance());
   print("ActualImageSampleDistance", this->GetActualImageSampleDistance());
   print("NumberOfDraws", this->GetNumberOfDraws());
+  print("NumberOfSamples", this->GetNumberOfSamples());
+  print("NumberOfShadedSamples", this->GetNumberOfShadedSamples());
+  print("NumberOfShadowSteps", this->GetNumberOfShadowSteps());
   print("NumberOfShaderBuilds", this->GetNumberOfShaderBuilds());
   print("NumberOfMessages", this->GetMessages().size());
 }

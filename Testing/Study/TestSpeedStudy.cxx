@@ -57,6 +57,15 @@ TEST_CASE("A small grid is drawn by every technique that there is")
   CHECK(Find(result, "unlit")->Counts.at("bricks") > 8);
   CHECK(Find(result, "unlit")->Counts.at("occupied bricks") <
     Find(result, "unlit")->Counts.at("bricks"));
+  CHECK(Find(result, "vtk, lit")->Counts.count("samples") == 0);
+  // All that is lit was sampled, and shadows alone take shadow steps.
+  CHECK(Find(result, "unlit")->Counts.at("shaded samples") == 0.0);
+  CHECK(Find(result, "lit")->Counts.at("shaded samples") > 0.0);
+  CHECK(
+    Find(result, "lit")->Counts.at("samples") > Find(result, "lit")->Counts.at("shaded samples"));
+  CHECK(Find(result, "lit")->Counts.at("shadow steps") == 0.0);
+  CHECK(Find(result, "rays")->Counts.at("shadow steps") >
+    Find(result, "volume")->Counts.at("shadow steps"));
   // 8-bit pictures of one integral at 4 steps a voxel: rounding, and what is left of the steps.
   CHECK(Find(result, "unlit, 1/4 voxel")->Error->RootMeanSquare < 1.0);
   CHECK_FALSE(Find(result, "lit")->Error);

@@ -20,6 +20,7 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
     {
       float stepLength = stepLengthOf(ray, index);
       vec3 position = stepMiddle(ray, index);
+      countSample();
       SegmentMatter matter;
       float depth = segmentDepth(rayEnd, position, ray.direction, stepLength, matter);
       vec3 color = segmentColor(matter);

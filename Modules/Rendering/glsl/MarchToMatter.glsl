@@ -17,6 +17,7 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
     {
       stepLength = stepLengthOf(ray, index);
       position = stepMiddle(ray, index);
+      countSample();
       depth = segmentDepth(rayEnd, position, ray.direction, stepLength, matter);
       ++index;
       int leap = emptySteps(stepMiddle(ray, index), segment);
@@ -25,6 +26,7 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
     }
     if (depth > 0.0)
     {
+      countShadedSample();
       SeenSegment seen =
         seenSegment(accumulated, matter, position, ray.direction * stepLength);
       vec3 color = shadedColor(seen.position, seen.color, ray.view);

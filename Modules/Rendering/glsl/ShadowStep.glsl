@@ -12,6 +12,7 @@ vec4 shadowStep(vec3 entry, vec3 direction, int step, float rayLength)
 
 float shadowStepDepth(inout RayEnd rayEnd, vec3 direction, vec4 step)
 {
+  countShadowStep(step.w);
   vec3 middle = step.xyz;
   SegmentMatter matter;
   return segmentDepth(rayEnd, middle, direction, step.w, matter);

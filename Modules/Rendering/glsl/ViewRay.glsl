@@ -44,5 +44,6 @@ void main()
   int last = int(clamp(steps, 0.0, float(scene_lastStep)));
 
   ViewRay ray = ViewRay(base + direction * inside.x, direction, inside.y - inside.x, view);
-  gl_FragData[0] = completed(march(ray, scene_firstStep, last, accumulatedBefore()));
+  vec4 before = accumulatedBefore();
+  gl_FragData[0] = written(before, completed(march(ray, scene_firstStep, last, before)));
 }
