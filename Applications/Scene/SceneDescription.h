@@ -155,8 +155,8 @@ struct ShadowsDescription
   /// In the volume's own lengths. Empty: twice the scene's sample distance.
   std::optional<double> SampleDistance;
   double Resolution = 1.0;
-  /// Steps that are marched before what is kept counts. Empty: as many as pay.
-  std::optional<std::int64_t> NearSteps;
+  /// Steps that are marched before what is kept counts.
+  std::int64_t NearSteps = 4;
   double Tolerance = 1.0;
 };
 

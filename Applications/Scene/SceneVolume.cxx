@@ -80,10 +80,7 @@ void ApplyIllumination(const SceneDescription& scene, vtkIlluminatedVolumeMapper
   mapper->SetShadowTechnique(ShadowTechniqueOf(scene.Shadows.Technique));
   mapper->SetShadowTolerance(scene.Shadows.Tolerance);
   mapper->SetShadowResolution(scene.Shadows.Resolution);
-  if (scene.Shadows.NearSteps)
-  {
-    mapper->SetShadowNearSteps(static_cast<int>(*scene.Shadows.NearSteps));
-  }
+  mapper->SetShadowNearSteps(static_cast<int>(scene.Shadows.NearSteps));
   mapper->SetShadowSampleDistance(*scene.Shadows.SampleDistance);
   mapper->SetGradientEstimator(static_cast<int>(scene.Gradient));
   mapper->SetGradientTextureBits(scene.GradientTexture);

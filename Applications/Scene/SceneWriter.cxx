@@ -240,14 +240,9 @@ Json WriteLights(const std::vector<LightDescription>& lights)
 
 Json WriteShadows(const ShadowsDescription& shadows)
 {
-  Json json = { { "technique", NameOf(shadows.Technique) },
+  return { { "technique", NameOf(shadows.Technique) },
     { "sampleDistance", *shadows.SampleDistance }, { "resolution", shadows.Resolution },
-    { "tolerance", shadows.Tolerance } };
-  if (shadows.NearSteps)
-  {
-    json["nearSteps"] = *shadows.NearSteps;
-  }
-  return json;
+    { "nearSteps", shadows.NearSteps }, { "tolerance", shadows.Tolerance } };
 }
 
 Json WriteClippingPlanes(const std::vector<ClippingPlaneDescription>& planes)

@@ -20,7 +20,8 @@ const char* const Head =
   "against rays with half the shadow step, of \"unlit, 1/4 voxel\" against VTK's picture. "
   "\"Skipping\"\n"
   "is how many of 10,000 pixels it changes by more than a grey level. Memory is the peak of a\n"
-  "process that draws 16 x 16 pixels.\n";
+  "process that draws 16 x 16 pixels. Samples are those of view rays, shaded ones those whose\n"
+  "light was computed; shadow steps are of rays from there, not of what is kept of shadows.\n";
 
 struct ThesisCase
 {
