@@ -1,3 +1,4 @@
+#include "SceneNames.h"
 #include "SceneSections.h"
 
 #include <nlohmann/json.hpp>
@@ -21,13 +22,10 @@ LightDescription ParseLight(const nlohmann::json& value, const std::string& path
 {
   LightDescription light;
   JsonObject object(value, path);
-  object.ReadChoice<LightType>("type", light.Type,
-    { { "directional", LightType::Directional }, { "point", LightType::Point },
-      { "spot", LightType::Spot }, { "headlight", LightType::Headlight } });
+  object.ReadChoice("type", light.Type, NamesOf(light.Type));
   object.Read("name", light.Name);
   object.Read("on", light.On);
-  object.ReadChoice<LightFrame>(
-    "frame", light.Frame, { { "scene", LightFrame::Scene }, { "camera", LightFrame::Camera } });
+  object.ReadChoice("frame", light.Frame, NamesOf(light.Frame));
   object.Read("position", light.Position, AnyNumber);
   object.Read("direction", light.Direction, AnyNumber);
   if (UsesDirection(light.Type) && Length(light.Direction) == 0.0)
@@ -42,8 +40,7 @@ LightDescription ParseLight(const nlohmann::json& value, const std::string& path
   const bool isSpot = light.Type == LightType::Spot;
   object.Read("coneAngle", light.ConeAngle, isSpot ? ConeAngles : AnyNumber);
   object.Read("exponent", light.Exponent, isSpot ? Exponents : AnyNumber);
-  object.ReadChoice<ShadowKind>("shadow", light.Shadow,
-    { { "none", ShadowKind::None }, { "soft", ShadowKind::Soft }, { "hard", ShadowKind::Hard } });
+  object.ReadChoice("shadow", light.Shadow, NamesOf(light.Shadow));
   object.Read("opacityThreshold", light.OpacityThreshold, ZeroToOne);
   object.Read("shadowBias", light.ShadowBias, ZeroOrMore);
   object.RefuseUnknownKeys();

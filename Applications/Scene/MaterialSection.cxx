@@ -1,3 +1,4 @@
+#include "SceneNames.h"
 #include "SceneSections.h"
 
 #include "InputError.h"
@@ -21,12 +22,7 @@ NumberRange RangeIf(bool used, const NumberRange& range)
 
 void ReadModel(JsonObject& object, MaterialDescription& material)
 {
-  object.ReadChoice<ReflectionModel>("model", material.Model,
-    { { "phong", ReflectionModel::Phong }, { "blinn-phong", ReflectionModel::BlinnPhong },
-      { "oren-nayar", ReflectionModel::OrenNayar }, { "ward", ReflectionModel::Ward },
-      { "ward-anisotropic", ReflectionModel::WardAnisotropic },
-      { "cook-torrance", ReflectionModel::CookTorrance },
-      { "reflection-map", ReflectionModel::ReflectionMap } });
+  object.ReadChoice("model", material.Model, NamesOf(material.Model));
 }
 
 void ReadRoughness(JsonObject& object, MaterialDescription& material)
@@ -50,8 +46,7 @@ void ReadFacets(JsonObject& object, MaterialDescription& material)
 {
   const bool used = material.Model == ReflectionModel::CookTorrance;
   object.Read("slope", material.Slope, RangeIf(used, MoreThanZero));
-  object.ReadChoice<FacetDistribution>("distribution", material.Distribution,
-    { { "beckmann", FacetDistribution::Beckmann }, { "gaussian", FacetDistribution::Gaussian } });
+  object.ReadChoice("distribution", material.Distribution, NamesOf(material.Distribution));
   object.Read("gaussianConstant", material.GaussianConstant, RangeIf(used, ZeroOrMore));
   object.Read("indexOfRefraction", material.IndexOfRefraction, RangeIf(used, MoreThanZero));
 }

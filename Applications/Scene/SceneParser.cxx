@@ -1,6 +1,7 @@
 #include "SceneParser.h"
 
 #include "InputError.h"
+#include "SceneNames.h"
 #include "SceneSections.h"
 
 #include <nlohmann/json.hpp>
@@ -20,10 +21,7 @@ void ParseOptics(JsonObject& scene, OpticalModel& optics)
   {
     optics = *shade ? OpticalModel::SingleScattering : OpticalModel::AbsorptionEmission;
   }
-  scene.ReadChoice<OpticalModel>("opticalModel", optics,
-    { { "single-scattering", OpticalModel::SingleScattering },
-      { "absorption-emission", OpticalModel::AbsorptionEmission },
-      { "absorption", OpticalModel::Absorption }, { "emission", OpticalModel::Emission } });
+  scene.ReadChoice("opticalModel", optics, NamesOf(optics));
   const bool scatters = optics == OpticalModel::SingleScattering;
   if (shade && *shade != scatters)
   {
@@ -35,11 +33,7 @@ void ParseOptics(JsonObject& scene, OpticalModel& optics)
 
 void ParseGradient(JsonObject& scene, SceneDescription& description)
 {
-  scene.ReadChoice<GradientEstimator>("gradient", description.Gradient,
-    { { "central", GradientEstimator::CentralDifferences },
-      { "forward", GradientEstimator::ForwardDifferences },
-      { "backward", GradientEstimator::BackwardDifferences },
-      { "sobel", GradientEstimator::Sobel } });
+  scene.ReadChoice("gradient", description.Gradient, NamesOf(description.Gradient));
   std::int64_t bits = description.GradientTexture;
   scene.Read("gradientTexture", bits, 0, 16);
   if (bits != 0 && bits != 8 && bits != 16)
@@ -56,10 +50,7 @@ ShadowsDescription ParseShadows(const nlohmann::json& value)
 {
   ShadowsDescription shadows;
   JsonObject object(value, "shadows");
-  object.ReadChoice<TechniqueChoice>("technique", shadows.Technique,
-    { { "auto", TechniqueChoice::Auto }, { "rays", TechniqueChoice::Rays },
-      { "volume", TechniqueChoice::Volume }, { "map", TechniqueChoice::Map },
-      { "deep-map", TechniqueChoice::DeepMap }, { "opacity-map", TechniqueChoice::OpacityMap } });
+  object.ReadChoice("technique", shadows.Technique, NamesOf(shadows.Technique));
   object.Read("sampleDistance", shadows.SampleDistance, StepLengths);
   object.Read("resolution", shadows.Resolution, MoreThanZero);
   object.Read("nearSteps", shadows.NearSteps, 0, MostNearSteps);
@@ -148,9 +139,7 @@ SceneDescription ParseScene(const nlohmann::json& json, const std::filesystem::p
   }
   scene.Read("sampleDistance", description.SampleDistance, StepLengths);
   scene.Read("skipEmptySpace", description.SkipEmptySpace);
-  scene.ReadChoice<RendererChoice>("renderer", description.Renderer,
-    { { "penumbra", RendererChoice::Penumbra }, { "vtk", RendererChoice::StockMapper },
-      { "reference", RendererChoice::Reference } });
+  scene.ReadChoice("renderer", description.Renderer, NamesOf(description.Renderer));
   scene.RefuseUnknownKeys();
   return description;
 }

@@ -2,6 +2,7 @@
 
 #include "JsonObject.h"
 #include "ScalarTypes.h"
+#include "SceneNames.h"
 
 #include <nlohmann/json.hpp>
 
@@ -65,70 +66,6 @@ Json WriteTransferFunction(const TransferFunctionDescription& function)
   return json;
 }
 
-const char* NameOf(ReflectionModel model)
-{
-  switch (model)
-  {
-    case ReflectionModel::BlinnPhong:
-      return "blinn-phong";
-    case ReflectionModel::OrenNayar:
-      return "oren-nayar";
-    case ReflectionModel::Ward:
-      return "ward";
-    case ReflectionModel::WardAnisotropic:
-      return "ward-anisotropic";
-    case ReflectionModel::CookTorrance:
-      return "cook-torrance";
-    case ReflectionModel::ReflectionMap:
-      return "reflection-map";
-    default:
-      return "phong";
-  }
-}
-
-const char* NameOf(OpticalModel model)
-{
-  switch (model)
-  {
-    case OpticalModel::Absorption:
-      return "absorption";
-    case OpticalModel::Emission:
-      return "emission";
-    case OpticalModel::AbsorptionEmission:
-      return "absorption-emission";
-    default:
-      return "single-scattering";
-  }
-}
-
-const char* NameOf(GradientEstimator estimator)
-{
-  switch (estimator)
-  {
-    case GradientEstimator::ForwardDifferences:
-      return "forward";
-    case GradientEstimator::BackwardDifferences:
-      return "backward";
-    case GradientEstimator::Sobel:
-      return "sobel";
-    default:
-      return "central";
-  }
-}
-
-const char* NameOf(RendererChoice renderer)
-{
-  switch (renderer)
-  {
-    case RendererChoice::StockMapper:
-      return "vtk";
-    case RendererChoice::Reference:
-      return "reference";
-    default:
-      return "penumbra";
-  }
-}
-
 Json WriteMaterial(const MaterialDescription& material, const std::filesystem::path& folder)
 {
   Json json = { { "model", NameOf(material.Model) }, { "ambient", material.Ambient },
@@ -136,8 +73,7 @@ Json WriteMaterial(const MaterialDescription& material, const std::filesystem::p
     { "specularPower", material.SpecularPower }, { "roughness", material.Roughness },
     { "roughnessX", material.RoughnessX }, { "roughnessY", material.RoughnessY },
     { "preferredDirection", material.PreferredDirection }, { "slope", material.Slope },
-    { "distribution",
-      material.Distribution == FacetDistribution::Gaussian ? "gaussian" : "beckmann" },
+    { "distribution", NameOf(material.Distribution) },
     { "gaussianConstant", material.GaussianConstant },
     { "indexOfRefraction", material.IndexOfRefraction } };
   std::vector<std::string> images;
@@ -157,53 +93,6 @@ Json WriteMaterial(const MaterialDescription& material, const std::filesystem::p
   return json;
 }
 
-const char* NameOf(LightType type)
-{
-  switch (type)
-  {
-    case LightType::Point:
-      return "point";
-    case LightType::Spot:
-      return "spot";
-    case LightType::Headlight:
-      return "headlight";
-    default:
-      return "directional";
-  }
-}
-
-const char* NameOf(TechniqueChoice technique)
-{
-  switch (technique)
-  {
-    case TechniqueChoice::Rays:
-      return "rays";
-    case TechniqueChoice::Volume:
-      return "volume";
-    case TechniqueChoice::Map:
-      return "map";
-    case TechniqueChoice::DeepMap:
-      return "deep-map";
-    case TechniqueChoice::OpacityMap:
-      return "opacity-map";
-    default:
-      return "auto";
-  }
-}
-
-const char* NameOf(ShadowKind shadow)
-{
-  switch (shadow)
-  {
-    case ShadowKind::Soft:
-      return "soft";
-    case ShadowKind::Hard:
-      return "hard";
-    default:
-      return "none";
-  }
-}
-
 Json WriteLight(const LightDescription& light)
 {
   Json json = { { "type", NameOf(light.Type) } };
@@ -212,7 +101,7 @@ Json WriteLight(const LightDescription& light)
     json["name"] = light.Name;
   }
   json["on"] = light.On;
-  json["frame"] = light.Frame == LightFrame::Camera ? "camera" : "scene";
+  json["frame"] = NameOf(light.Frame);
   json["position"] = light.Position;
   json["direction"] = light.Direction;
   json["ambient"] = light.Ambient;
