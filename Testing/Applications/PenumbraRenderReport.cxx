@@ -27,9 +27,11 @@ TEST_CASE("The report has every documented key, and explaining tells the require
   INFO(result.error);
   REQUIRE(result.exitStatus == 0);
   const auto report = nlohmann::json::parse(ReadAll(folder.PathOf("r.json")));
-  for (const char* key : { "vtkVersion", "openglRenderer", "volume", "firstFrameSeconds",
-         "frameSeconds", "frameCpuSeconds", "medianFrameSeconds", "shadowUpdateSeconds",
-         "technique", "requirements", "leftOut", "warnings", "peakMemoryBytes" })
+  for (const char* key :
+    { "vtkVersion", "openglRenderer", "volume", "firstFrameSeconds", "frameSeconds",
+      "frameCpuSeconds", "medianFrameSeconds", "shadowUpdateSeconds", "brightness", "reference",
+      "technique", "techniqueReason", "keptShadows", "requirements", "emptySpace",
+      "gradientTexture", "rayCounts", "leftOut", "choices", "warnings", "peakMemoryBytes" })
   {
     INFO(key);
     CHECK(report.contains(key));
@@ -46,6 +48,8 @@ TEST_CASE("The report has every documented key, and explaining tells the require
   CHECK(report["technique"] == "rays");
   CHECK(report["requirements"]["hard shadows"] == "1");
   CHECK(report["peakMemoryBytes"] > 1000000);
+  CHECK(report["keptShadows"].is_null());
+  CHECK(report["rayCounts"].is_null());
   CHECK_THAT(result.output, Catch::Matchers::ContainsSubstring("hard shadows"));
   CHECK_THAT(result.output, Catch::Matchers::ContainsSubstring("leaves out"));
 }

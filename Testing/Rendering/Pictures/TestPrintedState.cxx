@@ -28,12 +28,13 @@ TEST_CASE("A mapper prints all that it was told, enumerators by name")
   mapper->SetGradientEstimatorToSobel();
   mapper->SetGradientTextureBits(16);
   mapper->SkipEmptySpaceOff();
+  mapper->RayCountingOn();
   mapper->SetOpticalModelToEmission();
   const std::string printed = Print(mapper);
   for (const char* line : { "ShadowTechnique: DeepMap\n", "ShadowTolerance: 2.5\n",
          "ShadowResolution: 0.75\n", "ShadowNearSteps: 7\n", "ShadowMemoryLimit: 99\n",
          "ShadowSampleDistance: 1.5\n", "GradientEstimator: Sobel\n", "GradientTextureBits: 16\n",
-         "SkipEmptySpace: Off\n", "OpticalModel: Emission\n" })
+         "SkipEmptySpace: Off\n", "RayCounting: On\n", "OpticalModel: Emission\n" })
   {
     CHECK_THAT(printed, Catch::Matchers::ContainsSubstring(line));
   }
