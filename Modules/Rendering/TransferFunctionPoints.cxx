@@ -9,6 +9,24 @@ namespace penumbra
 {
 namespace
 {
+// The first point at or beyond a scalar, or where that is approached from above, beyond it.
+template <typename Function>
+int FindNextPoint(Function* function, double scalar, bool fromBelow)
+{
+  double node[6];
+  int first = 0;
+  int count = function->GetSize();
+  while (count > 0)
+  {
+    const int half = count / 2;
+    function->GetNodeValue(first + half, node);
+    const bool isBefore = fromBelow ? node[0] < scalar : node[0] <= scalar;
+    first += isBefore ? half + 1 : 0;
+    count = isBefore ? count - half - 1 : half;
+  }
+  return first;
+}
+
 template <int Components, typename Function>
 std::array<double, Components> GetLimit(
   Function* function, double scalar, bool fromBelow, int firstValue)
@@ -16,18 +34,9 @@ std::array<double, Components> GetLimit(
   std::array<double, Components> result{};
   double left[6];
   double right[6];
-  const int size = function->GetSize();
-  int next = 0;
-  for (; next < size; ++next)
-  {
-    function->GetNodeValue(next, right);
-    if (fromBelow ? right[0] >= scalar : right[0] > scalar)
-    {
-      break;
-    }
-  }
+  const int next = FindNextPoint(function, scalar, fromBelow);
   function->GetNodeValue(std::max(next - 1, 0), left);
-  function->GetNodeValue(std::min(next, size - 1), right);
+  function->GetNodeValue(std::min(next, function->GetSize() - 1), right);
   const double width = right[0] - left[0];
   const double fraction = width > 0.0 ? (scalar - left[0]) / width : 0.0;
   for (int component = 0; component < Components; ++component)
