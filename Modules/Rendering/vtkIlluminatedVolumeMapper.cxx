@@ -140,7 +140,7 @@ void vtkIlluminatedVolumeMapper::CountRays(vtkRenderer* renderer)
     internal.Drawing.Count(renderer, internal.Scene, internal.ImageSampleDistance, internal.Counts);
   if (!fault.empty())
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< "Rays are not counted. " << fault);
   }
 }
 
