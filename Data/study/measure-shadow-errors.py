@@ -68,7 +68,7 @@ for volume, shape in SCENES:
                                     *settings)
                 resolution = float(settings[0].split("=")[1])
                 ratio = max(spacing) / min(spacing)
-                scale = ratio if resolution >= 1 else max(ratio * resolution / 2, 1.0)
+                scale = max(ratio * resolution / 2, 1.0)
                 scale = scale if technique == "volume" else 1.0
                 found.append(max(rmse(picture, truth) / scale, 0.01))
             errors[shadow] = found

@@ -41,6 +41,7 @@ struct DrawnScene
   double UnitDistance = 1.0;   ///< of the scalar opacity, in the volume's own lengths
   MarchingPlan Plan;
   std::vector<ShadowCaster> ShadowCasters; ///< whose shadows are looked up
+  bool ShadowsMove = false;                ///< and are kept coarser until all is still
   ShadowingMatter Matter;                  ///< what kept shadows depend on
   std::vector<LightSpace> LightSpaces;     ///< theirs, with maps
   ShadowVolumePlan VolumeOfShadows;

@@ -16,8 +16,9 @@ constexpr double LargestNumberOfSteps = 65536.0;
 constexpr double ShadowStepsPerIteration = 4.0;
 // ShadowDepthMap.glsl looks four functions of four texels up.
 constexpr double IterationsPerMapLookUp = 20.0;
-// ShadowMapFill.glsl marches a ray anew for each tolerance from a two-hundredth to 1.
-constexpr double MapMarches = 6.0;
+// ShadowMapFill.glsl marches a ray anew for each tolerance from a two-hundredth to 1, and for two
+// between the last ones.
+constexpr double MapMarches = 8.0;
 
 double CountSteps(double length, double stepLength)
 {

@@ -9,7 +9,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
-#include <utility>
 
 namespace penumbra
 {
@@ -39,19 +38,12 @@ std::array<int, 2> OpacityMaps::GetSize() const
 void OpacityMaps::FillLight(const Filling& filling, int slot)
 {
   constexpr int perDraw = OpacityMapPlan::LayersPerDraw;
-  const ShadowCaster& caster = filling.Scene->ShadowCasters[slot];
   const LightSpace& space = filling.Scene->LightSpaces[slot];
   const double spacing = this->Plan.GetSpacing(space);
   vtkShaderProgram* program = filling.Quad->Program;
-  SetUniform(program, "scene_lightToTexture", space.LightToTexture);
-  program->SetUniformi("scene_mapProjection", static_cast<int>(space.Projection));
-  SetUniform(program, "scene_mapExtent", space.Extent);
-  SetUniform(program, "scene_mapLargestDepth", GetLargestDepth(caster));
+  this->SetMapRays(filling, slot, spacing / filling.Scene->Placement.SmallestSpacing);
   SetUniform(program, "scene_mapTexels", this->Plan.Texels);
   SetUniform(program, "scene_mapSpacing", spacing);
-  // A soft shadow is no sharper than its layers, where matter does not jump.
-  const bool fine = caster.Hard || filling.Scene->Requirements.PreIntegrated;
-  this->SetLeastStep(filling, fine ? 0.0 : spacing / filling.Scene->Placement.SmallestSpacing);
 
   // The optical depth as far as layers are made, read by one draw and written by the next.
   vtkNew<vtkTextureObject> depths[2];

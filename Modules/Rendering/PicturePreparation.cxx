@@ -32,6 +32,7 @@ std::string PreparePicture(const PictureRequest& request, DrawnScene& scene,
   PrepareMaterial(request, scene, textures);
   PrepareGradients(request, scene, textures, messages);
   shadows = DecideShadows(request, scene, textures);
+  CoarsenMovingShadows(request, scene, shadows);
   PrepareShadows(shadows, request.Window, scene, drawing, messages);
   PrepareSteps(GetSampleDistances(request.Mapper), shadows.NearSteps, scene, textures, messages);
   LookUpShadows(shadows, scene);

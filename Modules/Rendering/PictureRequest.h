@@ -27,6 +27,7 @@ struct PictureRequest
   vtkVolumeProperty* Property = nullptr; ///< the volume's
   vtkImageData* Image = nullptr;
   vtkDataArray* Scalars = nullptr; ///< the image's array that is drawn
+  bool Moving = false;             ///< one of many pictures, each to be drawn in time
 };
 
 }

@@ -1,6 +1,7 @@
 #include "ShadowCache.h"
 
 #include "DrawnScene.h"
+#include "MatrixUniforms.h"
 #include "OpenGLEnumerants.h"
 #include "TextureSampling.h"
 #include "VolumeTextures.h"
@@ -185,6 +186,20 @@ void ShadowCache::SetLeastStep(const Filling& filling, double spacings)
   const double step = std::max(
     filling.Scene->Plan.ShadowSampleDistance, spacings * filling.Scene->Placement.SmallestSpacing);
   filling.Quad->Program->SetUniformf("scene_shadowSampleDistance", static_cast<float>(step));
+}
+
+//------------------------------------------------------------------------------
+void ShadowCache::SetMapRays(const Filling& filling, int slot, double spacings)
+{
+  const ShadowCaster& caster = filling.Scene->ShadowCasters[slot];
+  const LightSpace& space = filling.Scene->LightSpaces[slot];
+  vtkShaderProgram* program = filling.Quad->Program;
+  SetUniform(program, "scene_lightToTexture", space.LightToTexture);
+  program->SetUniformi("scene_mapProjection", static_cast<int>(space.Projection));
+  SetUniform(program, "scene_mapExtent", space.Extent);
+  SetUniform(program, "scene_mapLargestDepth", GetLargestDepth(caster));
+  const bool sharp = caster.Hard || filling.Scene->Requirements.PreIntegrated;
+  SetLeastStep(filling, sharp ? 0.0 : spacings);
 }
 
 //------------------------------------------------------------------------------

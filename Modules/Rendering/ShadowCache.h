@@ -88,6 +88,9 @@ protected:
   /// Makes a light's rays march in steps of so many of the smallest spacings, or in the scene's
   /// where those are longer.
   static void SetLeastStep(const Filling& filling, double spacings);
+  /// Tells the draws of a light's map its space, what depth is told apart, and steps: no finer than
+  /// so many of the smallest spacings, where a soft shadow is no sharper than its texels.
+  static void SetMapRays(const Filling& filling, int slot, double spacings);
   /// Covers the framebuffer by draws that are short; rays: times that a fragment marches a ray.
   void Draw(const Filling& filling, double rays);
 

@@ -84,9 +84,7 @@ double Interpolate(
 double GetTexelRatio(const OptionSettings& settings, const ShadowChoiceTask& task)
 {
   constexpr double mostOfLongVoxels = 2.0;
-  return settings.Resolution < 1.0
-    ? std::min(task.SpacingRatio, mostOfLongVoxels / settings.Resolution)
-    : 1.0;
+  return std::min(task.SpacingRatio, mostOfLongVoxels / settings.Resolution);
 }
 
 // Texels a voxel of the opacity maps of so many lights, as far as memory goes.
@@ -164,7 +162,9 @@ double CountMarchedSteps(const OptionSettings& settings, const ShadowChoiceTask&
   }
   const double texels = lights * task.Voxels * task.Occupied * std::pow(settings.Resolution, 3) *
     GetTexelRatio(settings, task);
-  return samples * (volumeLookUp + nearStep * settings.NearSteps) +
+  // One look-up tells of four lights.
+  const double lookUp = volumeLookUp * std::ceil(lights / 4.0) / lights;
+  return samples * (lookUp + nearStep * settings.NearSteps) +
     texels * 2.0 * ray * settings.Resolution / pictures;
 }
 }

@@ -37,20 +37,13 @@ void ShadowMaps::FillLight(const Filling& filling, int slot)
 {
   // Of the root of the optical depth over the largest: of a soft shadow's visibility a hundredth.
   constexpr double tolerance = 0.005;
-  // Half of the texels take a wider tolerance.
-  constexpr double marches = 2.0;
+  // Half of the texels take a wider tolerance, and look for the least one.
+  constexpr double marches = 3.0;
   const ShadowCaster& caster = filling.Scene->ShadowCasters[slot];
-  const LightSpace& space = filling.Scene->LightSpaces[slot];
   vtkShaderProgram* program = filling.Quad->Program;
-  SetUniform(program, "scene_lightToTexture", space.LightToTexture);
-  program->SetUniformi("scene_mapProjection", static_cast<int>(space.Projection));
-  SetUniform(program, "scene_mapExtent", space.Extent);
-  SetUniform(program, "scene_mapLargestDepth", GetLargestDepth(caster));
+  this->SetMapRays(filling, slot, 1.0 / this->Plan.Resolution);
   SetUniform(program, "scene_mapFirstHit", caster.FirstHit ? caster.Enough : -1.0);
   SetUniform(program, "scene_mapTolerance", tolerance);
-  // A soft shadow is no sharper than its texels, where matter does not jump.
-  const bool fine = caster.Hard || filling.Scene->Requirements.PreIntegrated;
-  this->SetLeastStep(filling, fine ? 0.0 : 1.0 / this->Plan.Resolution);
   this->Attach(ShadowMapPlan::SlicesPerLight * slot, ShadowMapPlan::SlicesPerLight);
   this->Draw(filling, marches);
 }

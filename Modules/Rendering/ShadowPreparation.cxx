@@ -1,6 +1,7 @@
 #include "ShadowPreparation.h"
 
 #include "DrawnScene.h"
+#include "PictureRequest.h"
 #include "ShadowSettings.h"
 #include "VolumeDrawing.h"
 
@@ -108,6 +109,13 @@ Room MakeRoom(const ShadowSettings& settings, vtkOpenGLRenderWindow* window, Dra
   return room;
 }
 
+bool HaveMoved(const std::vector<ShadowCaster>& before, const std::vector<ShadowCaster>& now)
+{
+  return before.size() == now.size() &&
+    !std::equal(before.begin(), before.end(), now.begin(),
+      [](const ShadowCaster& a, const ShadowCaster& b) { return a.Place == b.Place; });
+}
+
 void KeepNothing(vtkOpenGLRenderWindow* window, DrawnScene& scene, VolumeDrawing& drawing)
 {
   scene.ShadowCasters.clear();
@@ -116,6 +124,17 @@ void KeepNothing(vtkOpenGLRenderWindow* window, DrawnScene& scene, VolumeDrawing
   scene.Requirements.NearShadowSteps = 0;
   MakeRoom({}, window, scene, drawing);
 }
+}
+
+//------------------------------------------------------------------------------
+void CoarsenMovingShadows(
+  const PictureRequest& request, DrawnScene& scene, ShadowSettings& settings)
+{
+  constexpr double coarser = 0.5;
+  scene.ShadowsMove = request.Moving &&
+    (scene.ShadowsMove ||
+      HaveMoved(scene.ShadowCasters, scene.Lights.GetShadowCasters(scene.Requirements)));
+  settings.Resolution *= scene.ShadowsMove ? coarser : 1.0;
 }
 
 //------------------------------------------------------------------------------

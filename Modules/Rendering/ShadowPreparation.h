@@ -15,8 +15,13 @@ namespace penumbra
 {
 
 struct DrawnScene;
+struct PictureRequest;
 struct ShadowSettings;
 class VolumeDrawing;
+
+/// Halves the resolution of what is kept while a light with a shadow moves, until all is still.
+void CoarsenMovingShadows(
+  const PictureRequest& request, DrawnScene& scene, ShadowSettings& settings);
 
 /// Chooses what is kept of the scene's shadows and makes room for it, and tells the requirements.
 /// Messages say what could not be as asked, one sentence each.

@@ -17,8 +17,7 @@ int CountBlocks(int lights)
 double GetTexelsPerVoxel(const ShadowVolumeTask& task, double resolution, int axis)
 {
   constexpr double mostOfLongVoxels = 2.0;
-  return resolution < 1.0 ? std::min(resolution * task.VoxelEdges[axis], mostOfLongVoxels)
-                          : resolution;
+  return std::min(resolution * task.VoxelEdges[axis], std::max(resolution, mostOfLongVoxels));
 }
 
 void SetResolution(const ShadowVolumeTask& task, double resolution, ShadowVolumePlan& plan)

@@ -24,8 +24,8 @@ struct ShadowVolumeTask
 {
   Vector3 Voxels{};                    ///< length of the visible box along each axis, in voxels
   Vector3 VoxelEdges{ 1.0, 1.0, 1.0 }; ///< relative to the smallest
-  /// Texels a voxel, more than 0. Below 1 texels are as long along every axis, as far as a voxel
-  /// need have no more than two of them.
+  /// Texels a smallest voxel edge, more than 0. Texels are as long along every axis, as far as a
+  /// long voxel need have no more than two of them.
   double Resolution = 1.0;
   int Lights = 0;      ///< with a shadow
   int LargestSize = 0; ///< of a 3D texture along one axis

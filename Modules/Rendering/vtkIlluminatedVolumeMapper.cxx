@@ -111,6 +111,8 @@ void vtkIlluminatedVolumeMapper::DrawIlluminated(
   request.Property = volume->GetProperty();
   request.Image = vtkImageData::SafeDownCast(this->GetDataSetInput());
   request.Scalars = scalars;
+  request.Moving = this->AutoAdjustSampleDistances &&
+    InteractiveResolution::IsInteractive(volume->GetAllocatedRenderTime());
   std::vector<std::string> messages;
   const std::string fault =
     PreparePicture(request, internal.Scene, internal.Shadows, internal.Drawing, messages);
@@ -124,7 +126,7 @@ void vtkIlluminatedVolumeMapper::DrawIlluminated(
   }
   else if (internal.Scene.AnythingVisible)
   {
-    this->DrawInTime(renderer, volume->GetAllocatedRenderTime());
+    this->DrawInTime(request);
     if (this->RayCounting)
     {
       this->CountRays(renderer);
@@ -146,20 +148,20 @@ void vtkIlluminatedVolumeMapper::CountRays(vtkRenderer* renderer)
 
 //------------------------------------------------------------------------------
 // The clock decides on the number of rays of moving pictures, and on nothing else.
-void vtkIlluminatedVolumeMapper::DrawInTime(vtkRenderer* renderer, double allocatedSeconds)
+void vtkIlluminatedVolumeMapper::DrawInTime(const PictureRequest& request)
 {
   Internals& internal = *this->Internal;
   internal.ImageSampleDistance = this->ImageSampleDistance;
-  if (!this->AutoAdjustSampleDistances || !InteractiveResolution::IsInteractive(allocatedSeconds))
+  if (!request.Moving)
   {
-    this->Draw(renderer);
+    this->Draw(request.Renderer);
     return;
   }
-  internal.ImageSampleDistance =
-    std::max(internal.ImageSampleDistance, internal.Resolution.FindDistance(allocatedSeconds));
+  internal.ImageSampleDistance = std::max(internal.ImageSampleDistance,
+    internal.Resolution.FindDistance(request.Volume->GetAllocatedRenderTime()));
   const int updates = this->GetNumberOfShadowUpdates();
   const double begin = vtkTimerLog::GetUniversalTime();
-  this->Draw(renderer);
+  this->Draw(request.Renderer);
   internal.Window->WaitForCompletion();
   // What is kept costs the same for any number of rays.
   const double kept =

@@ -54,6 +54,11 @@
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
 
+namespace penumbra
+{
+struct PictureRequest;
+}
+
 class PENUMBRARENDERING_EXPORT vtkIlluminatedVolumeMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
 public:
@@ -349,7 +354,7 @@ protected:
   void DrawIlluminated(vtkRenderer* renderer, vtkVolume* volume, vtkDataArray* scalars);
   void DrawStock(vtkRenderer* renderer, vtkVolume* volume);
   void MoveTo(vtkOpenGLRenderWindow* window);
-  void DrawInTime(vtkRenderer* renderer, double allocatedSeconds);
+  void DrawInTime(const penumbra::PictureRequest& request);
   void Draw(vtkRenderer* renderer);
   void CountRays(vtkRenderer* renderer);
   void Say(const std::string& message);

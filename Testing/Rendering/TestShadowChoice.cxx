@@ -94,7 +94,7 @@ TEST_CASE("Coarse slices count against a volume, as far as its texels are no coa
   const double coarse = PredictShadowError(ShadowOption::CoarseVolume, task);
   const double map = PredictShadowError(ShadowOption::DeepMap, task);
   task.SpacingRatio = 3.0;
-  CHECK(PredictShadowError(ShadowOption::MarchedVolume, task) == Approx(3.0 * even));
+  CHECK(PredictShadowError(ShadowOption::MarchedVolume, task) == Approx(1.5 * even));
   CHECK(PredictShadowError(ShadowOption::CoarseVolume, task) == Approx(coarse));
   task.SpacingRatio = 6.0;
   CHECK(PredictShadowError(ShadowOption::CoarseVolume, task) == Approx(1.5 * coarse));

@@ -31,7 +31,7 @@ TEST_CASE("Texels of resolution 1 stand at the voxels, and as many to a voxel as
   CHECK_FALSE(PlanShadowVolume(task).Coarsened);
 }
 
-TEST_CASE("Few texels are even, up to two to a voxel")
+TEST_CASE("Texels are even, up to two to a voxel")
 {
   ShadowVolumeTask task = MakeTask({ 512.0, 512.0, 133.0 }, 1);
   task.VoxelEdges = { 1.0, 1.0, 3.5 };
@@ -39,8 +39,10 @@ TEST_CASE("Few texels are even, up to two to a voxel")
   CHECK(PlanShadowVolume(task).Texels == std::array<int, 3>{ 257, 257, 234 });
   task.Resolution = 0.8;
   CHECK(PlanShadowVolume(task).Texels == std::array<int, 3>{ 411, 411, 267 });
-  task.Resolution = 2.0;
-  CHECK(PlanShadowVolume(task).Texels == std::array<int, 3>{ 1025, 1025, 267 });
+  task.Resolution = 1.0;
+  CHECK(PlanShadowVolume(task).Texels == std::array<int, 3>{ 513, 513, 267 });
+  task.Resolution = 3.0;
+  CHECK(PlanShadowVolume(task).Texels == std::array<int, 3>{ 1537, 1537, 400 });
 }
 
 TEST_CASE("Four lights share a texel, and further ones stand behind")

@@ -91,6 +91,32 @@ bool followDarkness(MapRay ray, float tolerance, out vec2 node[Nodes])
   return true;
 }
 
+// By the least tolerance that the nodes are enough for, within a third of it.
+void followAsNear(MapRay ray, out vec2 node[Nodes])
+{
+  float enough = scene_mapTolerance;
+  float tooLittle = scene_mapTolerance;
+  while (!followDarkness(ray, enough, node))
+  {
+    tooLittle = enough;
+    enough = min(3.0 * enough, WidestTolerance);
+  }
+  while (enough > 1.35 * tooLittle)
+  {
+    float between = sqrt(tooLittle * enough);
+    vec2 nearer[Nodes];
+    if (followDarkness(ray, between, nearer))
+    {
+      node = nearer;
+      enough = between;
+    }
+    else
+    {
+      tooLittle = between;
+    }
+  }
+}
+
 float firstHit(MapRay ray)
 {
   float depth = 0.0;
@@ -129,11 +155,7 @@ void main()
   }
   else
   {
-    float tolerance = scene_mapTolerance;
-    while (!followDarkness(ray, tolerance, node))
-    {
-      tolerance = min(3.0 * tolerance, WidestTolerance);
-    }
+    followAsNear(ray, node);
   }
   gl_FragData[0] = vec4(node[0], node[1]);
   gl_FragData[1] = vec4(node[2], node[3]);

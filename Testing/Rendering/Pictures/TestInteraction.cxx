@@ -3,6 +3,8 @@
 #include "ImageComparison.h"
 #include "SyntheticVolumes.h"
 
+#include <vtkCamera.h>
+
 #include <memory>
 
 using namespace penumbra;
@@ -53,4 +55,33 @@ TEST_CASE("Interaction: what need not adjust itself has all its rays")
   scene->Window->SetDesiredUpdateRate(1e6);
   scene->Render();
   CHECK(CompareImages(scene->Render(), still).largest == 0.0);
+}
+
+TEST_CASE("Interaction: while a light moves its shadows are kept coarser, and no others anew")
+{
+  const int technique =
+    GENERATE(vtkIlluminatedVolumeMapper::Volume, vtkIlluminatedVolumeMapper::OpacityMap);
+  auto scene = MakeScene();
+  scene->Mapper->SetShadowTechnique(technique);
+  scene->Render();
+  const double full = scene->Mapper->GetActualShadowResolution();
+  scene->Window->SetDesiredUpdateRate(1e6);
+  scene->Renderer->GetActiveCamera()->Azimuth(10.0);
+  scene->Render();
+  CHECK(scene->Mapper->GetActualShadowResolution() == full);
+  CHECK(scene->Mapper->GetNumberOfShadowUpdates() == 1);
+  scene->GetLight()->SetFocalPoint(-0.5, -0.8, -0.3);
+  scene->Render();
+  scene->Renderer->GetActiveCamera()->Azimuth(-10.0);
+  scene->Render();
+  CHECK(scene->Mapper->GetActualShadowResolution() == Approx(0.5 * full).epsilon(0.1));
+  CHECK(scene->Mapper->GetNumberOfShadowUpdates() == 2);
+  CHECK(scene->Mapper->GetMessages().empty());
+  scene->Window->SetDesiredUpdateRate(0.0001);
+  const auto still = scene->Render();
+  CHECK(scene->Mapper->GetActualShadowResolution() == full);
+  auto fresh = MakeScene();
+  fresh->Mapper->SetShadowTechnique(technique);
+  fresh->GetLight()->SetFocalPoint(-0.5, -0.8, -0.3);
+  CHECK(CompareImages(fresh->Render(), still).largest == 0.0);
 }
