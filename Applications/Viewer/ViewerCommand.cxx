@@ -1,14 +1,12 @@
 #include "ViewerCommand.h"
 
 #include "InputError.h"
-#include "Picture.h"
+#include "ProgramArguments.h"
 #include "ProgramFolder.h"
 
 #include <CLI/CLI.hpp>
 #include <QtGlobal>
 #include <vtkVersion.h>
-
-#include <iostream>
 
 namespace penumbra
 {
@@ -35,18 +33,9 @@ std::optional<ViewerCommand> ParseViewerCommand(int argc, char* argv[])
     "Save the whole window, once its picture is complete, to this .png, and end");
   program.add_option("--size", command.Size, "Width and height of the window in pixels")
     ->check(CLI::Range(SmallestWindow, LargestWindow));
-  try
+  if (!ParseArguments(program, argc, argv))
   {
-    program.parse(argc, argv);
-  }
-  catch (const CLI::Success& answer)
-  {
-    program.exit(answer, std::cout, std::cerr);
     return std::nullopt;
-  }
-  catch (const CLI::ParseError& error)
-  {
-    throw InputError(std::string(error.what()) + "; penumbra-viewer --help tells the usage");
   }
   if (!input.empty())
   {
