@@ -14,7 +14,6 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkTransform.h>
-#include <vtkWidgetEventTranslator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,9 +60,6 @@ ClippingBoxHandle::ClippingBoxHandle(SceneDocument* document, VolumeView* view)
   this->Widget->SetRepresentation(this->Box);
   this->Widget->RotationEnabledOff();
   this->Widget->ScalingEnabledOff();
-  // What is not a ball is the camera's.
-  this->Widget->GetEventTranslator()->RemoveTranslation(vtkCommand::MiddleButtonPressEvent);
-  this->Widget->GetEventTranslator()->RemoveTranslation(vtkCommand::RightButtonPressEvent);
   this->View->GetOverlay()->Add(this->Widget, view->interactor());
   this->Widget->AddObserver(vtkCommand::InteractionEvent, this, &ClippingBoxHandle::TakeBox);
 }

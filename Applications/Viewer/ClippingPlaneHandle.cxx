@@ -12,7 +12,6 @@
 #include <vtkImplicitPlaneWidget2.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkWidgetEventTranslator.h>
 
 namespace penumbra
 {
@@ -41,8 +40,6 @@ ClippingPlaneHandle::ClippingPlaneHandle(
   this->Shape->SetHandleSize(BallPixels);
   this->Shape->GetSelectedNormalProperty()->SetColor(0.85, 0.95, 1.0);
   this->Widget->SetRepresentation(this->Shape);
-  this->Widget->GetEventTranslator()->RemoveTranslation(vtkCommand::MiddleButtonPressEvent);
-  this->Widget->GetEventTranslator()->RemoveTranslation(vtkCommand::RightButtonPressEvent);
   this->View->GetOverlay()->Add(this->Widget, view->interactor());
   this->Widget->AddObserver(vtkCommand::InteractionEvent, this, &ClippingPlaneHandle::TakePlane);
 }

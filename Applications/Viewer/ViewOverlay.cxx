@@ -5,6 +5,7 @@
 #include <vtkCommand.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkWidgetEventTranslator.h>
 
 namespace penumbra
 {
@@ -41,6 +42,9 @@ void ViewOverlay::Add(vtkAbstractWidget* widget, vtkRenderWindowInteractor* inte
   widget->SetInteractor(interactor);
   widget->SetDefaultRenderer(this->Renderer);
   widget->SetCurrentRenderer(this->Renderer);
+  vtkWidgetEventTranslator* events = widget->GetEventTranslator();
+  events->RemoveTranslation(vtkCommand::MiddleButtonPressEvent);
+  events->RemoveTranslation(vtkCommand::RightButtonPressEvent);
 }
 
 //------------------------------------------------------------------------------

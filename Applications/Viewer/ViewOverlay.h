@@ -31,7 +31,7 @@ public:
   /// Where the camera is now; each frame begins with it.
   void FollowCamera();
 
-  /// Lets a widget be drawn and dragged here.
+  /// Lets a widget be drawn and dragged here, by the left button: the others are the camera's.
   void Add(vtkAbstractWidget* widget, vtkRenderWindowInteractor* interactor);
 
   void Show(bool shown);
