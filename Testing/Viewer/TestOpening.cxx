@@ -5,7 +5,10 @@
 #include <QApplication>
 #include <QKeyEvent>
 
+#include <vtkCallbackCommand.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
 
 using namespace penumbra;
 
@@ -78,9 +81,20 @@ TEST_CASE("Keys turn and zoom the camera, and none of VTK's own is taken")
     QApplication::sendEvent(view, &event);
   };
   const CameraDescription before = view->GetCamera();
-  press(Qt::Key_W, "w");
-  press(Qt::Key_F, "f");
-  press(Qt::Key_P, "p");
+  int taken = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&taken);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+  for (const auto event : { vtkCommand::KeyPressEvent, vtkCommand::CharEvent })
+  {
+    view->interactor()->AddObserver(event, count);
+  }
+  for (const QChar letter : QString("wseqpfrjtau3"))
+  {
+    press(letter.toUpper().unicode(), letter);
+  }
+  CHECK(taken == 0); // the interactor hears of none, and so does no style and no widget
   CHECK(view->GetCamera().Position == before.Position);
   const auto distance = [view]
   {
