@@ -2,6 +2,7 @@
 
 #include "FunctionNodes.h"
 #include "SceneDocument.h"
+#include "VolumeHistogram.h"
 
 #include <vtkAxis.h>
 #include <vtkChartXY.h>
@@ -9,6 +10,8 @@
 #include <vtkPiecewiseControlPointsItem.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPiecewiseFunctionItem.h>
+#include <vtkPlot.h>
+#include <vtkTable.h>
 
 namespace penumbra
 {
@@ -69,6 +72,27 @@ void GradientOpacityChart::ShowOpened()
   this->Chart->GetAxis(vtkAxis::LEFT)->SetRange(0.0, 1.0);
   this->Points->SetValidBounds(0.0, largest, 0.0, 1.0);
   this->Points->SetUserBounds(0.0, largest, 0.0, 1.0);
+  this->Chart->RemovePlotInstance(this->Histogram);
+  this->Histogram = nullptr;
+  this->ShowHistogram();
+}
+
+//------------------------------------------------------------------------------
+void GradientOpacityChart::ShowHistogram()
+{
+  if (this->isVisible() && this->Document->IsOpen() && !this->Histogram)
+  {
+    vtkImageData* volume = this->Document->GetVoxels().Volume;
+    this->Histogram =
+      AddBars(MakeGradientHistogram(volume, LargestGradientOfChart(volume)), this->Chart);
+  }
+}
+
+//------------------------------------------------------------------------------
+void GradientOpacityChart::showEvent(QShowEvent* event)
+{
+  ChartView::showEvent(event);
+  this->ShowHistogram();
 }
 
 //------------------------------------------------------------------------------

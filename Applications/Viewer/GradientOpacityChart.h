@@ -1,6 +1,9 @@
 /**
  * @class   GradientOpacityChart
  * @brief   the factor of opacity over the gradient's length, to be edited by dragging points
+ *
+ * Behind the points is the histogram of the volume's gradients, which is made when it is first
+ * seen.
  */
 
 #ifndef GradientOpacityChart_h
@@ -8,9 +11,12 @@
 
 #include "ChartView.h"
 
+#include <vtkSmartPointer.h>
+
 class vtkImageData;
 class vtkPiecewiseControlPointsItem;
 class vtkPiecewiseFunction;
+class vtkPlot;
 
 namespace penumbra
 {
@@ -31,9 +37,11 @@ public:
 
 protected:
   void ArrangeCharts(float width, float height, float ratio) override;
+  void showEvent(QShowEvent* event) override;
 
 private:
   void ShowOpened();
+  void ShowHistogram();
   void ShowScene();
   void TakeFunction();
 
@@ -41,6 +49,7 @@ private:
   vtkNew<vtkChartXY> Chart;
   vtkNew<vtkPiecewiseFunction> Function;
   vtkNew<vtkPiecewiseControlPointsItem> Points;
+  vtkSmartPointer<vtkPlot> Histogram;
   bool Showing = false;
 };
 

@@ -10,17 +10,15 @@
 #include <QMouseEvent>
 
 #include <vtkAxis.h>
-#include <vtkBrush.h>
 #include <vtkChartXY.h>
 #include <vtkColorTransferControlPointsItem.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkColorTransferFunctionItem.h>
 #include <vtkCompositeTransferFunctionItem.h>
 #include <vtkImageData.h>
-#include <vtkPen.h>
 #include <vtkPiecewiseControlPointsItem.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkPlotBar.h>
+#include <vtkPlot.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -102,23 +100,10 @@ void TransferFunctionChart::ShowOpened()
     chart->GetAxis(vtkAxis::BOTTOM)->SetRange(range);
     chart->GetAxis(vtkAxis::LEFT)->SetRange(0.0, 1.0);
   }
-  if (this->Histogram)
-  {
-    this->OpacityChart->RemovePlot(0);
-  }
-  this->Histogram = MakeHistogram(volume);
-  vtkNew<vtkPlotBar> bars;
-  bars->SetInputData(this->Histogram, 0, 1);
-  bars->SetColor(128, 128, 128, 110);
-  bars->GetPen()->SetLineType(vtkPen::NO_PEN);
-  bars->SetSelectable(false);
-  bars->SetInteractive(false);
-  this->OpacityChart->AddPlot(bars);
-  this->OpacityChart->LowerPlot(bars);
-  const double opacityRange[] = { range[0], range[1], 0.0, 1.0 };
+  this->OpacityChart->RemovePlotInstance(this->Histogram);
+  this->Histogram = AddBars(MakeHistogram(volume), this->OpacityChart);
   this->OpacityPoints->SetValidBounds(range[0], range[1], 0.0, 1.0);
-  this->OpacityPoints->SetUserBounds(
-    opacityRange[0], opacityRange[1], opacityRange[2], opacityRange[3]);
+  this->OpacityPoints->SetUserBounds(range[0], range[1], 0.0, 1.0);
   this->ColorPoints->SetUserBounds(range[0], range[1], 0.0, 1.0);
 }
 

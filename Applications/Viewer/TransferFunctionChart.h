@@ -22,7 +22,7 @@ class vtkColorTransferFunction;
 class vtkImageData;
 class vtkPiecewiseControlPointsItem;
 class vtkPiecewiseFunction;
-class vtkTable;
+class vtkPlot;
 
 namespace penumbra
 {
@@ -60,7 +60,7 @@ private:
   vtkNew<vtkColorTransferFunction> Color;
   vtkNew<vtkPiecewiseControlPointsItem> OpacityPoints;
   vtkNew<vtkColorTransferControlPointsItem> ColorPoints;
-  vtkSmartPointer<vtkTable> Histogram;
+  vtkSmartPointer<vtkPlot> Histogram;
   QPointF LastPlace;
   bool Showing = false;
 };

@@ -1,10 +1,14 @@
 #include "VolumeHistogram.h"
 
+#include <vtkChartXY.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
+#include <vtkImageGradientMagnitude.h>
 #include <vtkImageHistogram.h>
 #include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlotBar.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -14,7 +18,54 @@ namespace penumbra
 {
 namespace
 {
-constexpr int NumberOfBins = 256;
+constexpr int MostBins = 256;
+
+// Bins that are narrower than the steps of whole numbers would make a comb.
+double WidthOfBins(double range, vtkImageData* volume)
+{
+  const int type = volume->GetScalarType();
+  const double least = type == VTK_FLOAT || type == VTK_DOUBLE ? 1e-30 : 1.0;
+  return std::max(range / (MostBins - 1), least);
+}
+
+vtkSmartPointer<vtkTable> Count(vtkImageData* volume, double lowest, double largest)
+{
+  const double width = WidthOfBins(largest - lowest, volume);
+  vtkNew<vtkImageHistogram> counter;
+  counter->SetInputData(volume);
+  counter->SetNumberOfBins(static_cast<int>((largest - lowest) / width) + 1);
+  counter->SetBinOrigin(lowest);
+  counter->SetBinSpacing(width);
+  counter->GenerateHistogramImageOff();
+  counter->Update();
+  vtkIdTypeArray* counts = counter->GetHistogram();
+  const double most = std::max(counts->GetRange()[1], 1.0);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("value");
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("frequency");
+  for (vtkIdType bin = 0; bin < counts->GetNumberOfValues(); ++bin)
+  {
+    values->InsertNextValue(static_cast<float>(lowest + bin * width));
+    heights->InsertNextValue(
+      static_cast<float>(std::log1p(counts->GetValue(bin)) / std::log1p(most)));
+  }
+  auto table = vtkSmartPointer<vtkTable>::New();
+  table->AddColumn(values);
+  table->AddColumn(heights);
+  return table;
+}
+
+// With spacings of 1 in the mean, which makes gradients values per mean voxel.
+vtkSmartPointer<vtkImageData> WithMeanSpacingOfOne(vtkImageData* volume)
+{
+  const double* spacing = volume->GetSpacing();
+  const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+  auto scaled = vtkSmartPointer<vtkImageData>::New();
+  scaled->ShallowCopy(volume);
+  scaled->SetSpacing(spacing[0] / mean, spacing[1] / mean, spacing[2] / mean);
+  return scaled;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -22,34 +73,31 @@ vtkSmartPointer<vtkTable> MakeHistogram(vtkImageData* volume)
 {
   double range[2];
   volume->GetScalarRange(range);
-  const double width = std::max((range[1] - range[0]) / (NumberOfBins - 1), 1e-30);
-  vtkNew<vtkImageHistogram> counter;
-  counter->SetInputData(volume);
-  counter->SetNumberOfBins(NumberOfBins);
-  counter->SetBinOrigin(range[0]);
-  counter->SetBinSpacing(width);
-  counter->GenerateHistogramImageOff();
-  counter->Update();
-  vtkIdTypeArray* counts = counter->GetHistogram();
-  double largest = 1.0;
-  for (int bin = 0; bin < NumberOfBins; ++bin)
-  {
-    largest = std::max(largest, static_cast<double>(counts->GetValue(bin)));
-  }
-  vtkNew<vtkFloatArray> values;
-  values->SetName("value");
-  vtkNew<vtkFloatArray> heights;
-  heights->SetName("frequency");
-  for (int bin = 0; bin < NumberOfBins; ++bin)
-  {
-    values->InsertNextValue(static_cast<float>(range[0] + bin * width));
-    heights->InsertNextValue(
-      static_cast<float>(std::log1p(counts->GetValue(bin)) / std::log1p(largest)));
-  }
-  auto table = vtkSmartPointer<vtkTable>::New();
-  table->AddColumn(values);
-  table->AddColumn(heights);
-  return table;
+  return Count(volume, range[0], range[1]);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTable> MakeGradientHistogram(vtkImageData* volume, double largest)
+{
+  vtkNew<vtkImageGradientMagnitude> gradients;
+  gradients->SetInputData(WithMeanSpacingOfOne(volume));
+  gradients->SetDimensionality(3);
+  gradients->Update();
+  return Count(gradients->GetOutput(), 0.0, largest);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPlot> AddBars(vtkTable* histogram, vtkChartXY* chart)
+{
+  auto bars = vtkSmartPointer<vtkPlotBar>::New();
+  bars->SetInputData(histogram, 0, 1);
+  bars->SetColor(128, 128, 128, 110);
+  bars->GetPen()->SetLineType(vtkPen::NO_PEN);
+  bars->SetSelectable(false);
+  bars->SetInteractive(false);
+  chart->AddPlot(bars);
+  chart->LowerPlot(bars);
+  return bars;
 }
 
 }

@@ -1,6 +1,6 @@
 /**
  * @file    VolumeHistogram.h
- * @brief   how often the values of a volume occur, for a chart
+ * @brief   how often a volume's values and gradients occur, for charts
  */
 
 #ifndef VolumeHistogram_h
@@ -8,7 +8,9 @@
 
 #include <vtkSmartPointer.h>
 
+class vtkChartXY;
 class vtkImageData;
+class vtkPlot;
 class vtkTable;
 
 namespace penumbra
@@ -16,6 +18,15 @@ namespace penumbra
 
 /// Two columns: the value, and the logarithm of its count over that of the largest count, 0 to 1.
 vtkSmartPointer<vtkTable> MakeHistogram(vtkImageData* volume);
+
+/**
+ * The same of the gradients' lengths, from 0 to `largest`, in the volume's values per mean voxel as
+ * opacity by gradient takes them. Longer ones are not counted.
+ */
+vtkSmartPointer<vtkTable> MakeGradientHistogram(vtkImageData* volume, double largest);
+
+/// Shows a histogram as bars behind all that the chart has. Returns the bars.
+vtkSmartPointer<vtkPlot> AddBars(vtkTable* histogram, vtkChartXY* chart);
 
 }
 

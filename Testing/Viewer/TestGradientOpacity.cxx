@@ -5,12 +5,20 @@
 #include "PresetPanel.h"
 #include "TransferFunctionPanel.h"
 #include "ViewerSession.h"
+#include "VolumeHistogram.h"
 
 #include <QCheckBox>
 #include <QTableView>
 
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
+
+#include <cmath>
 
 using namespace penumbra;
 
@@ -85,4 +93,31 @@ TEST_CASE(
   CHECK_FALSE(session.Function());
   REQUIRE(session.Open(saved));
   CHECK(session.Find<QCheckBox>("gradientSwitch")->isChecked());
+}
+
+TEST_CASE("The histogram of gradients counts in values per mean voxel", "[gradient]")
+{
+  // Rises by 3 a voxel along x, which is half as long as the mean voxel: 6 a mean voxel.
+  vtkNew<vtkImageData> ramp;
+  ramp->SetDimensions(9, 9, 9);
+  ramp->SetSpacing(0.005, 0.0125, 0.0125);
+  const int type = GENERATE(VTK_SHORT, VTK_FLOAT);
+  ramp->AllocateScalars(type, 1);
+  for (vtkIdType voxel = 0; voxel < ramp->GetNumberOfPoints(); ++voxel)
+  {
+    ramp->GetPointData()->GetScalars()->SetTuple1(voxel, 3.0 * (voxel % 9));
+  }
+  const auto histogram = MakeGradientHistogram(ramp, 24.0);
+  double highest = 0.0;
+  double value = 0.0;
+  for (vtkIdType bin = 0; bin < histogram->GetNumberOfRows(); ++bin)
+  {
+    if (histogram->GetValue(bin, 1).ToDouble() > highest)
+    {
+      highest = histogram->GetValue(bin, 1).ToDouble();
+      value = histogram->GetValue(bin, 0).ToDouble();
+    }
+  }
+  CHECK(highest == 1.0);
+  CHECK(std::abs(value - 6.0) <= 1.0); // a bin of whole numbers, or rounding below 6
 }
