@@ -7,6 +7,7 @@
 #include <vtkAxis.h>
 #include <vtkChartXY.h>
 #include <vtkImageData.h>
+#include <vtkPen.h>
 #include <vtkPiecewiseControlPointsItem.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPiecewiseFunctionItem.h>
@@ -43,6 +44,11 @@ GradientOpacityChart::GradientOpacityChart(SceneDocument* document, QWidget* par
   this->Function->AllowDuplicateScalarsOn();
   vtkNew<vtkPiecewiseFunctionItem> line;
   line->SetPiecewiseFunction(this->Function);
+  // A line that is seen on light and on dark, over an area that the bars are seen through.
+  line->SetOpacity(0.1);
+  line->GetPolyLinePen()->SetLineType(vtkPen::SOLID_LINE);
+  line->GetPolyLinePen()->SetColor(61, 142, 208);
+  line->GetPolyLinePen()->SetWidth(2.0f);
   this->Chart->AddPlot(line);
   this->Points->SetPiecewiseFunction(this->Function);
   this->Points->SetEndPointsRemovable(true);

@@ -16,12 +16,11 @@ int RoundUpToDraws(double layers)
     static_cast<int>(std::ceil(layers / OpacityMapPlan::LayersPerDraw));
 }
 
-void SetResolution(const ShadowMapTask& task, double resolution, OpacityMapPlan& plan)
+void SetCells(const ShadowMapTask& task, double cells, OpacityMapPlan& plan)
 {
-  const double cells = std::max(std::ceil(resolution * task.Span), 1.0 * FewestTexels);
   plan.Texels = static_cast<int>(cells) + 2 * Border;
   plan.Layers = RoundUpToDraws(cells + 1.0);
-  plan.Resolution = task.Span > 0.0 ? cells / task.Span : resolution;
+  plan.Resolution = task.Span > 0.0 ? cells / task.Span : task.Resolution;
 }
 
 bool Fits(const ShadowMapTask& task, const OpacityMapPlan& plan)
@@ -41,17 +40,22 @@ std::size_t OpacityMapPlan::GetBytes() const
 //------------------------------------------------------------------------------
 OpacityMapPlan PlanOpacityMaps(const ShadowMapTask& task)
 {
-  constexpr double step = 0.97; // small, so that little of the memory is left unused
+  // More are finer than any volume that fits a graphics card.
+  constexpr double mostCells = 4096.0;
+  // Small, so that little of the memory is left unused. What does not fit has a size of these
+  // steps, whatever its span: a texture need not be made anew with every change of what is visible.
+  constexpr double step = 0.97;
   constexpr double coarsest = 0.25;
+  const double asked = std::max(std::ceil(task.Resolution * task.Span), 1.0 * FewestTexels);
   OpacityMapPlan plan;
   for (plan.Lights = task.Lights; plan.Lights > 0; --plan.Lights)
   {
-    for (double part = 1.0; part >= coarsest; part *= step)
+    for (double most = mostCells; most >= coarsest * asked; most *= step)
     {
-      SetResolution(task, part * task.Resolution, plan);
+      SetCells(task, std::min(asked, std::floor(most)), plan);
       if (Fits(task, plan))
       {
-        plan.Coarsened = part < 1.0;
+        plan.Coarsened = most < asked;
         return plan;
       }
     }

@@ -9,7 +9,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
-
 namespace penumbra
 {
 //------------------------------------------------------------------------------
@@ -17,9 +16,28 @@ bool OpacityMaps::Allocate(vtkOpenGLRenderWindow* window, const OpacityMapPlan& 
 {
   this->Plan = plan;
   return this->Reserve(window,
-    { { plan.Texels, plan.Texels, plan.GetNumberOfSlices() }, plan.Layers, 2, VTK_UNSIGNED_CHAR,
-      vtkTextureObject::Linear },
-    plan.Lights);
+           { { plan.Texels, plan.Texels, plan.GetNumberOfSlices() }, plan.Layers, 2,
+             VTK_UNSIGNED_CHAR, vtkTextureObject::Linear },
+           plan.Lights) &&
+    this->ReserveDepths(window);
+}
+
+//------------------------------------------------------------------------------
+bool OpacityMaps::ReserveDepths(vtkOpenGLRenderWindow* window)
+{
+  for (const auto& depth : this->Depths)
+  {
+    if (this->Plan.Lights == 0 || depth->GetHandle())
+    {
+      continue;
+    }
+    ResetTexture(depth, window, vtkTextureObject::Nearest);
+    if (!depth->Create2D(this->Plan.Texels, this->Plan.Texels, 1, VTK_FLOAT, false))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -44,18 +62,10 @@ void OpacityMaps::FillLight(const Filling& filling, int slot)
   this->SetMapRays(filling, slot, spacing / filling.Scene->Placement.SmallestSpacing);
   SetUniform(program, "scene_mapTexels", this->Plan.Texels);
   SetUniform(program, "scene_mapSpacing", spacing);
-
-  // The optical depth as far as layers are made, read by one draw and written by the next.
-  vtkNew<vtkTextureObject> depths[2];
-  for (const auto& depth : depths)
-  {
-    ResetTexture(depth, filling.Window, vtkTextureObject::Nearest);
-    depth->Create2D(this->Plan.Texels, this->Plan.Texels, 1, VTK_FLOAT, false);
-  }
   for (int layer = 0; layer < this->Plan.Layers; layer += perDraw)
   {
-    vtkTextureObject* before = depths[layer / perDraw % 2];
-    vtkTextureObject* after = depths[1 - layer / perDraw % 2];
+    vtkTextureObject* before = this->Depths[layer / perDraw % 2];
+    vtkTextureObject* after = this->Depths[1 - layer / perDraw % 2];
     before->Activate();
     SetSampler(program, "scene_depthBefore", before);
     program->SetUniformi("scene_mapLayer", layer);
@@ -63,11 +73,6 @@ void OpacityMaps::FillLight(const Filling& filling, int slot)
     this->Attach(this->Plan.Layers * slot + layer, perDraw, after);
     this->Draw(filling, 1.0 * perDraw / this->Plan.Layers);
     before->Deactivate();
-  }
-  this->Attach(0, 0);
-  for (const auto& depth : depths)
-  {
-    depth->ReleaseGraphicsResources(filling.Window);
   }
 }
 
@@ -81,6 +86,16 @@ void OpacityMaps::SetUniforms(vtkShaderProgram* program, const DrawnScene&)
   if (program->IsUniformUsed("scene_opacityMapTexels"))
   {
     program->SetUniform2f("scene_opacityMapTexels", scaleAndOffset);
+  }
+}
+
+//------------------------------------------------------------------------------
+void OpacityMaps::Release(vtkOpenGLRenderWindow* window)
+{
+  ShadowCache::Release(window);
+  for (const auto& depth : this->Depths)
+  {
+    depth->ReleaseGraphicsResources(window);
   }
 }
 

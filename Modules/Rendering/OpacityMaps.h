@@ -23,13 +23,18 @@ public:
   bool Allocate(vtkOpenGLRenderWindow* window, const OpacityMapPlan& plan);
 
   void SetUniforms(vtkShaderProgram* program, const DrawnScene& scene) override;
+  void Release(vtkOpenGLRenderWindow* window) override;
 
 private:
   std::string GetSource(const LightingRequirements& requirements) const override;
   std::array<int, 2> GetSize() const override;
   void FillLight(const Filling& filling, int slot) override;
 
+  bool ReserveDepths(vtkOpenGLRenderWindow* window);
+
   OpacityMapPlan Plan;
+  /// The optical depth as far as layers are made, read by one draw and written by the next.
+  vtkNew<vtkTextureObject> Depths[2];
 };
 
 }

@@ -11,6 +11,7 @@
 #include "GlslShadowRay.h"
 #include "GlslShadowStep.h"
 #include "GlslShadowVolumeFill.h"
+#include "OpacityMapPlan.h"
 #include "ShaderSnippets.h"
 
 #include <array>
@@ -129,8 +130,9 @@ std::string GetShadowMapSource(const LightingRequirements& requirements)
 //------------------------------------------------------------------------------
 std::string GetOpacityMapSource(const LightingRequirements& requirements)
 {
-  return GetFillSource(
-    requirements, { GlslShadowStep, GlslLightSpace, GlslMapRay, GlslOpacityMapFill });
+  const std::string layers = Define("LAYERS_PER_DRAW", OpacityMapPlan::LayersPerDraw);
+  return GetFillSource(requirements,
+    { layers.c_str(), GlslShadowStep, GlslLightSpace, GlslMapRay, GlslOpacityMapFill });
 }
 
 //------------------------------------------------------------------------------

@@ -51,7 +51,7 @@ public:
   double GetUpdateSeconds() const { return this->UpdateSeconds; }
   std::size_t GetBytes() const { return this->Texture->GetHandle() ? this->Bytes : 0; }
 
-  void Release(vtkOpenGLRenderWindow* window);
+  virtual void Release(vtkOpenGLRenderWindow* window);
 
 protected:
   struct TextureLayout

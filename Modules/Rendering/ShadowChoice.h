@@ -44,8 +44,8 @@ struct ShadowChoiceTask
 };
 
 /// What there is to choose from: rays; volumes of a half and of three quarters of the data's
-/// resolution, deep maps and opacity maps; a volume of its full resolution, deep maps and opacity
-/// maps with the first steps marched, and finer opacity maps.
+/// resolution; deep maps; a volume of its full resolution and deep maps, with the first steps
+/// marched; opacity maps, with the first steps marched too, and finer ones.
 enum class ShadowOption
 {
   Rays,

@@ -52,6 +52,8 @@ TEST_CASE("Opacity maps take no more memory than they may, and hardly less")
   CHECK(plan.GetBytes() <= task.LargestBytes);
   // A step of the search, and layers that fill the last draw.
   CHECK(plan.GetBytes() >= 88000000);
+  task.Span = 510.0;
+  CHECK(PlanOpacityMaps(task).Texels == plan.Texels);
 }
 
 TEST_CASE("OpenGL's largest texture makes opacity maps coarser first, and then fewer")

@@ -120,4 +120,10 @@ TEST_CASE("The histogram of gradients counts in values per mean voxel", "[gradie
   }
   CHECK(highest == 1.0);
   CHECK(std::abs(value - 6.0) <= 1.0); // a bin of whole numbers, or rounding below 6
+  // At the border it is half of that. Gradients beyond the largest are not counted.
+  const auto few = MakeGradientHistogram(ramp, 2.0);
+  for (vtkIdType bin = 0; bin < few->GetNumberOfRows(); ++bin)
+  {
+    CHECK(few->GetValue(bin, 1).ToDouble() == 0.0);
+  }
 }

@@ -6,19 +6,24 @@
 
 #include <vtkImageData.h>
 
-#include <fstream>
+#if __GLIBC__ * 100 + __GLIBC_MINOR__ >= 233
+#include <malloc.h>
+#endif
 
 using namespace penumbra;
 
 namespace
 {
-// Of this process, in MiB; 0 where the system does not tell.
+// Allocated by this process, in MiB; 0 where the system does not tell. What allocators keep of what
+// was freed does not count.
 double MemoryInUse()
 {
-  std::ifstream file("/proc/self/statm");
-  double pages = 0.0;
-  file >> pages >> pages;
-  return pages * 4096.0 / 1048576.0;
+#if __GLIBC__ * 100 + __GLIBC_MINOR__ >= 233
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd) / 1048576.0;
+#else
+  return 0.0;
+#endif
 }
 }
 

@@ -4,7 +4,7 @@
 
 uniform sampler3D scene_opacityMaps;
 uniform vec2 scene_opacityMapTexels;    // scale and offset from place to texture coordinates
-uniform vec4 scene_lightLayers[LIGHTS]; // scale and offset from distance to texture coordinate; first and last layer's
+uniform vec4 scene_lightLayers[LIGHTS]; // scale and offset from distance to texture coordinate, its range
 
 float keptDarkness(vec3 position, int light, float before)
 {

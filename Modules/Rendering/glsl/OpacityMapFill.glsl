@@ -7,8 +7,6 @@ uniform float scene_mapFirst;        // distance of the layer before it
 uniform float scene_mapSpacing;      // from layer to layer
 uniform sampler2D scene_depthBefore; // at the layer before
 
-const int Layers = 7;
-
 float depthBetween(MapRay ray, inout RayEnd rayEnd, float from, float to)
 {
   float begin = clamp(from, ray.begin, ray.end);
@@ -34,19 +32,20 @@ void main()
   float distance = clamp(scene_mapFirst, ray.begin, ray.end);
   vec3 segment = ray.direction * scene_mapSpacing;
   int empty = emptySteps(ray.origin + ray.direction * distance + 0.5 * segment, segment);
-  bool same = empty >= Layers || depth >= scene_mapLargestDepth;
+  bool same = empty >= LAYERS_PER_DRAW || depth >= scene_mapLargestDepth;
   RayEnd rayEnd = rayEndAt(ray.origin + ray.direction * distance);
-  float darkness[Layers];
-  for (int layer = 0; layer < Layers; ++layer)
+  float darkness[LAYERS_PER_DRAW];
+  for (int layer = 0; layer < LAYERS_PER_DRAW; ++layer)
   {
     darkness[layer] = darknessOf(depth);
   }
-  for (int layer = 0; layer < Layers && !same; ++layer)
+  for (int layer = 0; layer < LAYERS_PER_DRAW && !same; ++layer)
   {
     float from = scene_mapFirst + float(layer) * scene_mapSpacing;
     depth += depthBetween(ray, rayEnd, from, from + scene_mapSpacing);
     darkness[layer] = darknessOf(depth);
   }
+  // VTK knows outputs by literal numbers only: LAYERS_PER_DRAW of them, and the depth.
   gl_FragData[0] = vec4(darkness[0], valid, 0.0, 0.0);
   gl_FragData[1] = vec4(darkness[1], valid, 0.0, 0.0);
   gl_FragData[2] = vec4(darkness[2], valid, 0.0, 0.0);
