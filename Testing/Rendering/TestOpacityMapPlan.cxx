@@ -1,24 +1,12 @@
 #include "Catch.h"
+#include "MakeMapTask.h"
 #include "OpacityMapPlan.h"
 
 using namespace penumbra;
 
-namespace
-{
-ShadowMapTask MakeTask(double span, int lights)
-{
-  ShadowMapTask task;
-  task.Span = span;
-  task.Lights = lights;
-  task.LargestSize = 2048;
-  task.LargestBytes = std::size_t(1) << 40;
-  return task;
-}
-}
-
 TEST_CASE("An opacity map has as many texels and layers to a voxel as asked, and a border")
 {
-  ShadowMapTask task = MakeTask(300.0, 3);
+  ShadowMapTask task = MakeMapTask(300.0, 3);
   const OpacityMapPlan plan = PlanOpacityMaps(task);
   CHECK(plan.Texels == 302);
   // 300 cells have 301 ends, and that is a whole number of draws already.
@@ -44,7 +32,7 @@ TEST_CASE("The layers reach from the box's near end to its far end")
 
 TEST_CASE("Opacity maps take no more memory than they may, and hardly less")
 {
-  ShadowMapTask task = MakeTask(500.0, 2);
+  ShadowMapTask task = MakeMapTask(500.0, 2);
   task.LargestBytes = 100000000;
   const OpacityMapPlan plan = PlanOpacityMaps(task);
   CHECK(plan.Coarsened);
@@ -58,7 +46,7 @@ TEST_CASE("Opacity maps take no more memory than they may, and hardly less")
 
 TEST_CASE("OpenGL's largest texture makes opacity maps coarser first, and then fewer")
 {
-  ShadowMapTask task = MakeTask(400.0, 4);
+  ShadowMapTask task = MakeMapTask(400.0, 4);
   task.LargestSize = 512;
   CHECK(PlanOpacityMaps(task).Lights == 4);
   CHECK(PlanOpacityMaps(task).Resolution < 0.32);
