@@ -62,7 +62,7 @@ TEST_CASE(
   startAgain();
   const double memoryBefore = MemoryInUse();
   CHECK(CompareImages(picture, editOften()).rmse == 0.0);
-  // The third time grows by 9 MiB; one picture or texture leaked with each edit would be 100 MiB and
-  // more, every time.
+  // The third time grows by 9 MiB; one picture or texture leaked with each edit would be 100 MiB
+  // and more, every time.
   CHECK(MemoryInUse() - memoryBefore < 30.0);
 }
