@@ -69,8 +69,9 @@ SpeedSceneList WriteSpeedScenes(const SpeedSceneSource& source)
     }
     else
     {
+      // Tables are published: they name no folder of the machine that made them.
       list.Notes.push_back(std::string(fetched.Name) + " is left out: there is no " +
-        (source.Fetched / fetched.Volume).u8string());
+        fetched.Volume + " among the fetched volumes");
     }
   }
   const bool anyHasBounds = std::any_of(list.Scenes.begin(), list.Scenes.end(),

@@ -132,9 +132,10 @@ public:
 
   ///@{
   /**
-   * Texels of kept shadows to a voxel along each axis. 1 has the resolution of the data. It falls
-   * where the memory limit or OpenGL's largest texture ask for it, and a message says so. Range:
-   * 0.001 to 16. Default: 1.
+   * Texels of kept shadows to a smallest voxel edge. Where slices lie farther apart, a volume has up
+   * to two texels from slice to slice. It falls where the memory limit or OpenGL's largest texture
+   * ask for it, and a message says so; while a light moves in pictures that adjust to an update
+   * rate it is halved, until all is still. Range: 0.001 to 16. Default: 1.
    */
   vtkSetClampMacro(ShadowResolution, double, 1e-3, 16.0);
   vtkGetMacro(ShadowResolution, double);

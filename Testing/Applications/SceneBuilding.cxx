@@ -1,4 +1,5 @@
 #include "Catch.h"
+#include "ResolvedScene.h"
 #include "SyntheticVolumes.h"
 
 #include "SceneDefaults.h"
@@ -29,14 +30,6 @@ using namespace penumbra;
 
 namespace
 {
-SceneDescription Resolve(const std::string& members, vtkImageData* volume)
-{
-  SceneDescription scene =
-    ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd" })" + members + "}"), "");
-  ResolveScene(scene, volume);
-  return scene;
-}
-
 const std::string step = R"("opacity": [[0,0],[10,0.25],[10,0.75]],
   "color": [[0,0,0,0],[10,0.1,0.2,0.3],[10,0.4,0.5,0.6],[20,1,1,1]])";
 }

@@ -1,4 +1,5 @@
 #include "Catch.h"
+#include "ResolvedScene.h"
 #include "SceneDefaults.h"
 #include "SceneFile.h"
 #include "SceneParser.h"
@@ -19,14 +20,6 @@ using namespace penumbra;
 
 namespace
 {
-SceneDescription Resolve(const std::string& members, vtkImageData* volume)
-{
-  SceneDescription scene =
-    ParseScene(ParseJson(R"({ "volume": { "file": "v.mhd" })" + members + "}"), "");
-  ResolveScene(scene, volume);
-  return scene;
-}
-
 // All that a mapper was told, as it prints it.
 std::vector<std::string> SettingsOf(vtkGPUVolumeRayCastMapper* mapper)
 {

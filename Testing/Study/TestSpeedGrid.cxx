@@ -115,4 +115,5 @@ TEST_CASE("Scenes whose volume is not there are left out and named")
   CHECK_FALSE(list.Scenes[1].HasBounds);
   CHECK(list.Notes.size() == 5);
   CHECK_THAT(list.Notes[0], ContainsSubstring("engine is left out: there is no"));
+  CHECK_THAT(list.Notes[0], !ContainsSubstring(folder.PathOf("")));
 }
