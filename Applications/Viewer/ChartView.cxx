@@ -93,9 +93,20 @@ void ChartView::Arrange()
 //------------------------------------------------------------------------------
 void ChartView::Draw()
 {
-  if (this->isValid())
+  this->Outdated = !this->isVisible();
+  if (!this->Outdated && this->isValid())
   {
     this->Window->Render();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ChartView::showEvent(QShowEvent* event)
+{
+  QVTKOpenGLNativeWidget::showEvent(event);
+  if (this->Outdated)
+  {
+    this->Draw();
   }
 }
 

@@ -41,10 +41,11 @@ protected:
   /// Places the charts in a window of this size; `ratio` is its pixels per coarse one.
   virtual void ArrangeCharts(float width, float height, float ratio) = 0;
 
-  /// Draws anew, where anything is seen yet.
+  /// Draws anew, once it is seen.
   void Draw();
 
   void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
 private:
   void Arrange();
@@ -54,6 +55,7 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkContextActor> Actor;
   std::vector<vtkChartXY*> Numbered;
+  bool Outdated = false;
 };
 
 }

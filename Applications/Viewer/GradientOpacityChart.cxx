@@ -91,6 +91,7 @@ void GradientOpacityChart::ShowHistogram()
     vtkImageData* volume = this->Document->GetVoxels().Volume;
     this->Histogram =
       AddBars(MakeGradientHistogram(volume, LargestGradientOfChart(volume)), this->Chart);
+    this->Draw();
   }
 }
 
@@ -105,10 +106,14 @@ void GradientOpacityChart::showEvent(QShowEvent* event)
 void GradientOpacityChart::ShowScene()
 {
   const auto& points = this->Document->GetScene().TransferFunction.GradientOpacity;
+  const vtkMTimeType before = this->Function->GetMTime();
   this->Showing = true;
   ShowPoints(points ? *points : FunctionPoints<1>(), this->Function);
   this->Showing = false;
-  this->Draw();
+  if (this->Function->GetMTime() != before)
+  {
+    this->Draw();
+  }
 }
 
 //------------------------------------------------------------------------------

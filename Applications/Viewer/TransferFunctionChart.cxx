@@ -105,17 +105,23 @@ void TransferFunctionChart::ShowOpened()
   this->OpacityPoints->SetValidBounds(range[0], range[1], 0.0, 1.0);
   this->OpacityPoints->SetUserBounds(range[0], range[1], 0.0, 1.0);
   this->ColorPoints->SetUserBounds(range[0], range[1], 0.0, 1.0);
+  this->Draw();
 }
 
 //------------------------------------------------------------------------------
 void TransferFunctionChart::ShowScene()
 {
   const TransferFunctionDescription& function = this->Document->GetScene().TransferFunction;
+  const auto changes = [this] { return this->Opacity->GetMTime() + this->Color->GetMTime(); };
+  const vtkMTimeType before = changes();
   this->Showing = true;
   ShowPoints(*function.Opacity, this->Opacity);
   ShowPoints(*function.Color, this->Color);
   this->Showing = false;
-  this->Draw();
+  if (changes() != before)
+  {
+    this->Draw();
+  }
 }
 
 //------------------------------------------------------------------------------

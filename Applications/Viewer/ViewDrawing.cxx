@@ -1,5 +1,6 @@
 #include "ViewDrawing.h"
 
+#include "MovingSettings.h"
 #include "Picture.h"
 #include "SceneDocument.h"
 #include "SceneRendering.h"
@@ -63,7 +64,7 @@ void ViewDrawing::SetRendering(SceneRendering* rendering)
 {
   this->EndStrips();
   this->Rendering = rendering;
-  this->Quality.NoteFrame(AssumedSecondsOfFrame, 1);
+  this->Quality.NoteFrame(AssumedSecondsOfFrame, 0.0, 1);
   this->SecondsOfLastWholeFrame = 0.0;
 }
 
@@ -101,7 +102,15 @@ bool ViewDrawing::ShadowsChange() const
     return light.On && light.Shadow != ShadowKind::None &&
       (light.Frame == LightFrame::Camera || light.Type == LightType::Headlight);
   };
-  return this->SceneChanged || std::any_of(lights.begin(), lights.end(), followsCamera);
+  return this->SceneChanged || !this->ShadowsKept ||
+    std::any_of(lights.begin(), lights.end(), followsCamera);
+}
+
+//------------------------------------------------------------------------------
+bool ViewDrawing::AreWholeFramesFluid() const
+{
+  const double rate = this->Widget->interactor()->GetDesiredUpdateRate();
+  return this->SecondsOfLastWholeFrame > 0.0 && this->SecondsOfLastWholeFrame <= 1.0 / rate;
 }
 
 //------------------------------------------------------------------------------
@@ -111,43 +120,45 @@ int ViewDrawing::FindMovingDistance() const
 }
 
 //------------------------------------------------------------------------------
-int ViewDrawing::FindStillDistance() const
+// Where a whole frame takes long, one comes before that does not. None: 0.
+int ViewDrawing::FindQuickDistance() const
 {
-  // Where a whole frame takes long, one comes before that does not.
-  if (this->SecondsOfLastWholeFrame <= LongestFrame)
-  {
-    return 1;
-  }
   const int quick = this->Quality.FindDistance(1.0 / LongestQuickFrame);
-  return quick < this->Distance ? quick : 1;
+  return this->SecondsOfLastWholeFrame > LongestFrame && quick < this->Distance ? quick : 0;
 }
 
 //------------------------------------------------------------------------------
 void ViewDrawing::SetRayDistance(int distance)
 {
-  if (this->Rendering)
-  {
-    MapperOf(this->Rendering)->SetImageSampleDistance(static_cast<float>(distance));
-  }
+  MapperOf(this->Rendering)->SetImageSampleDistance(static_cast<float>(distance));
 }
 
 //------------------------------------------------------------------------------
-void ViewDrawing::UseMovingDistance()
+void ViewDrawing::DrawBy(const std::function<void()>& draw)
 {
   this->EndStrips();
+  if (!this->Rendering)
+  {
+    draw();
+    return;
+  }
+  const MovingSettings settings(this->Rendering->GetIlluminatedMapper(), this->ShadowsChange());
   this->SetRayDistance(this->FindMovingDistance());
+  draw();
 }
 
 //------------------------------------------------------------------------------
 void ViewDrawing::DrawMoving()
 {
-  const int distance = this->FindMovingDistance();
-  this->Draw(distance);
-  emit this->moved();
-  if (distance > 1)
+  if (this->AreWholeFramesFluid())
   {
-    this->RefineTimer.start(StillMilliseconds);
+    this->DrawWhole();
+    emit this->moved();
+    return;
   }
+  this->DrawCoarsely(this->FindMovingDistance());
+  emit this->moved();
+  this->RefineTimer.start(StillMilliseconds);
 }
 
 //------------------------------------------------------------------------------
@@ -158,54 +169,58 @@ void ViewDrawing::Refine()
     this->RefineTimer.start(StillMilliseconds); // what is held still may yet move
     return;
   }
-  const int distance = this->FindStillDistance();
-  if (distance == 1)
+  const int quick = this->FindQuickDistance();
+  if (quick == 0)
   {
     this->BeginStrips();
     return;
   }
-  this->Draw(distance);
+  this->DrawCoarsely(quick);
   this->RefineTimer.start(LongStillMilliseconds);
 }
 
 //------------------------------------------------------------------------------
-void ViewDrawing::Draw(int distance)
+void ViewDrawing::DrawWhole()
 {
   if (!this->CanDraw())
   {
     return;
   }
   this->EndStrips();
-  this->Decorations->FitScaleBar();
-  const auto before = std::chrono::steady_clock::now();
-  this->Render(distance);
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
-  this->Quality.NoteFrame(passed.count(), distance);
-  this->Distance = distance;
-  if (distance == 1)
-  {
-    this->Finish(passed.count());
-  }
+  this->SetRayDistance(1);
+  this->Finish(this->Render());
 }
 
 //------------------------------------------------------------------------------
-void ViewDrawing::Render(int distance)
+void ViewDrawing::DrawCoarsely(int distance)
 {
-  this->SetRayDistance(distance);
-  // What is kept of shadows would have to be made anew for a frame that is soon outdated.
-  auto* const mapper =
-    distance > 1 && this->ShadowsChange() ? this->Rendering->GetIlluminatedMapper() : nullptr;
-  const int technique = mapper ? mapper->GetShadowTechnique() : 0;
-  if (mapper)
+  if (!this->CanDraw())
   {
-    mapper->SetShadowTechniqueToRays();
+    return;
   }
+  auto* const mapper = this->Rendering->GetIlluminatedMapper();
+  const int updates = mapper ? mapper->GetNumberOfShadowUpdates() : 0;
+  double seconds = 0.0;
+  this->DrawBy(
+    [&]
+    {
+      this->SetRayDistance(distance);
+      seconds = this->Render();
+    });
+  const bool updated = mapper && mapper->GetNumberOfShadowUpdates() > updates;
+  this->Quality.NoteFrame(seconds, updated ? mapper->GetShadowUpdateSeconds() : 0.0, distance);
+  this->Distance = distance;
+}
+
+//------------------------------------------------------------------------------
+double ViewDrawing::Render()
+{
+  this->Decorations->FitScaleBar();
+  const auto before = std::chrono::steady_clock::now();
   this->Widget->renderWindow()->Render();
   this->Widget->renderWindow()->WaitForCompletion();
-  if (mapper)
-  {
-    mapper->SetShadowTechnique(technique);
-  }
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
+  return passed.count();
 }
 
 //------------------------------------------------------------------------------
@@ -218,7 +233,7 @@ void ViewDrawing::BeginStrips()
   const int strips = static_cast<int>(std::ceil(seconds / SecondsOfStrip));
   if (!mapper || strips < 2)
   {
-    this->Draw(1);
+    this->DrawWhole();
     return;
   }
   this->SetRayDistance(1);
@@ -241,8 +256,6 @@ void ViewDrawing::DrawStrip()
   this->Decorations->FitScaleBar();
   this->Still.DrawOver();
   this->EndStrips();
-  this->Quality.NoteFrame(seconds, 1);
-  this->Distance = 1;
   this->Finish(seconds);
 }
 
@@ -263,7 +276,10 @@ void ViewDrawing::Finish(double seconds)
 {
   this->RefineTimer.stop();
   this->SecondsOfLastWholeFrame = seconds;
+  this->Distance = 1;
   this->SceneChanged = false;
+  auto* const mapper = this->Rendering->GetIlluminatedMapper();
+  this->ShadowsKept = mapper && mapper->GetShadowBytes() > 0;
   this->Refined = true;
   emit this->refined(seconds);
 }
@@ -281,7 +297,7 @@ vtkSmartPointer<vtkImageData> ViewDrawing::TakePicture()
   this->FrameTimer.stop();
   this->EndStrips();
   this->ShowOver(false);
-  this->Draw(1);
+  this->DrawWhole();
   const auto picture = ReadPicture(this->Widget->renderWindow());
   this->ShowOver(true);
   this->Schedule(false);

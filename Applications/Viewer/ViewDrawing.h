@@ -17,6 +17,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <functional>
+
 class QVTKOpenGLNativeWidget;
 class vtkImageData;
 
@@ -46,8 +48,8 @@ public:
   /// The whole picture of the scene alone, drawn at once.
   vtkSmartPointer<vtkImageData> TakePicture();
 
-  /// For a frame that is drawn now by someone else.
-  void UseMovingDistance();
+  /// Lets someone else draw a frame now, as coarsely as moving ones.
+  void DrawBy(const std::function<void()>& draw);
 
   bool IsRefined() const { return this->Refined; }
 
@@ -59,13 +61,15 @@ signals:
 private:
   bool CanDraw() const;
   bool ShadowsChange() const;
+  bool AreWholeFramesFluid() const;
   int FindMovingDistance() const;
-  int FindStillDistance() const;
+  int FindQuickDistance() const;
   void SetRayDistance(int distance);
   void DrawMoving();
   void Refine();
-  void Draw(int distance);
-  void Render(int distance);
+  void DrawWhole();
+  void DrawCoarsely(int distance);
+  double Render();
   void BeginStrips();
   void DrawStrip();
   void EndStrips();
@@ -85,6 +89,7 @@ private:
   double SecondsOfLastWholeFrame = 0.0;
   int Distance = 1;
   bool SceneChanged = false;
+  bool ShadowsKept = false;
   bool Refined = false;
 };
 

@@ -5,17 +5,24 @@
 
 namespace penumbra
 {
+namespace
+{
+// Of a frame's time, which rays have at least.
+constexpr double LeastPartOfRays = 0.25;
+}
 
 //------------------------------------------------------------------------------
-void ViewQuality::NoteFrame(double seconds, int distance)
+void ViewQuality::NoteFrame(double seconds, double kept, int distance)
 {
-  this->SecondsOfWholeFrame = seconds * distance * distance;
+  this->SecondsOfRays = std::max(seconds - kept, 0.0) * distance * distance;
+  this->SecondsOfKept = kept;
 }
 
 //------------------------------------------------------------------------------
 int ViewQuality::FindDistance(double rate) const
 {
-  const double distance = std::ceil(std::sqrt(this->SecondsOfWholeFrame * rate));
+  const double left = std::max(1.0 / rate - this->SecondsOfKept, LeastPartOfRays / rate);
+  const double distance = std::ceil(std::sqrt(this->SecondsOfRays / left));
   return static_cast<int>(std::clamp(distance, 1.0, static_cast<double>(LargestDistance)));
 }
 

@@ -17,18 +17,20 @@ class ViewQuality
 public:
   static constexpr int LargestDistance = 8;
 
-  /// A frame with one ray in `distance` x `distance` pixels took this long.
-  void NoteFrame(double seconds, int distance);
+  /// A frame with one ray in `distance` x `distance` pixels took this long, of which `kept` were
+  /// spent on what does not depend on rays, as shadows that are kept.
+  void NoteFrame(double seconds, double kept, int distance);
 
   /// The smallest distance between rays, 1 to LargestDistance pixels, by which about `rate` frames
-  /// a second can be drawn, going by the frames before.
+  /// a second can be drawn, going by the frame before.
   int FindDistance(double rate) const;
 
   /// What a frame of all pixels takes, in seconds.
-  double GetSecondsOfWholeFrame() const { return this->SecondsOfWholeFrame; }
+  double GetSecondsOfWholeFrame() const { return this->SecondsOfRays + this->SecondsOfKept; }
 
 private:
-  double SecondsOfWholeFrame = 0.0;
+  double SecondsOfRays = 0.0;
+  double SecondsOfKept = 0.0;
 };
 
 }

@@ -177,9 +177,8 @@ void VolumeView::ScheduleFrame()
 void VolumeView::paintGL()
 {
   // Where the size has changed, Qt's widget draws itself by its interactor.
-  this->Drawing.UseMovingDistance();
   this->interactor()->EnableRenderOn();
-  QVTKOpenGLNativeWidget::paintGL();
+  this->Drawing.DrawBy([this] { QVTKOpenGLNativeWidget::paintGL(); });
   this->interactor()->EnableRenderOff();
 }
 

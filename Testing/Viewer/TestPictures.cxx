@@ -4,7 +4,6 @@
 #include "RunProgram.h"
 #include "SurfacePicking.h"
 #include "ViewDecorations.h"
-#include "ViewQuality.h"
 #include "ViewerSession.h"
 
 #include <QApplication>
@@ -67,17 +66,4 @@ TEST_CASE("Lengths of the scale bar are round")
   CHECK(RoundLength(7.0) == 5.0);
   CHECK(RoundLength(43.0) == Approx(20.0));
   CHECK(RoundLength(0.019) == Approx(0.01));
-}
-
-TEST_CASE("The distance between rays follows the time of a frame and the rate that is asked for")
-{
-  ViewQuality quality;
-  CHECK(quality.FindDistance(10.0) == 1);
-  quality.NoteFrame(0.8, 1);
-  CHECK(quality.FindDistance(10.0) == 3);
-  quality.NoteFrame(0.08, 3); // about as long, with one ray in nine pixels
-  CHECK(quality.FindDistance(10.0) == 3);
-  quality.NoteFrame(1000.0, 1);
-  CHECK(quality.FindDistance(10.0) == ViewQuality::LargestDistance);
-  CHECK(quality.FindDistance(0.0001) == 1); // still: all pixels
 }
