@@ -121,7 +121,7 @@ void AddBox(PropertyForm* form, SceneDocument* document, QAction* drag)
     form->AddSlider({ sides[side],
                       QObject::tr("A side of the clipping box, in percent of the volume along its "
                                   "axis") },
-      { 0.0, 100.0, 1 }, 100.0, AccessToSide(document, side));
+      { 0.0, 100.0, 1, QObject::tr(" %") }, 100.0, AccessToSide(document, side));
     form->ShowLastWhen(HasBox);
   }
   QToolButton* reset = MakePanelButton(
@@ -144,7 +144,7 @@ void AddPlanes(PropertyForm* form, SceneDocument* document, VolumeView* view, QA
   form->AddWidget(list);
   form->AddSlider({ QObject::tr("Depth of cut"),
                     QObject::tr("How far into the volume the selected plane cuts, in percent") },
-    { 0.0, 100.0, 1 }, 100.0, AccessToDepth(document));
+    { 0.0, 100.0, 1, QObject::tr(" %") }, 100.0, AccessToDepth(document));
   form->ShowLastWhen(HasPlane);
   form->AddVector({ QObject::tr("Plane through"),
                     QObject::tr("A point that the selected plane goes through, in the world") },
@@ -160,6 +160,7 @@ void AddPlanes(PropertyForm* form, SceneDocument* document, VolumeView* view, QA
 //------------------------------------------------------------------------------
 void FillClippingForm(PropertyForm* form, SceneDocument* document, VolumeView* view, QAction* drag)
 {
+  form->AddHeading(QObject::tr("Clipping"));
   AddBox(form, document, drag);
   AddPlanes(form, document, view, drag);
   auto* const show = new QToolButton(form);

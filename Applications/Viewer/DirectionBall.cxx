@@ -127,7 +127,9 @@ void DirectionBall::paintEvent(QPaintEvent*)
   painter.setOpacity(this->isEnabled() ? 1.0 : 0.35);
   const double radius = this->Radius();
   painter.setPen(Qt::NoPen);
-  painter.setBrush(this->palette().color(QPalette::Mid));
+  QColor ring = this->palette().color(QPalette::WindowText);
+  ring.setAlphaF(0.25);
+  painter.setBrush(ring);
   painter.drawEllipse(this->Middle(), RingRadius * radius, RingRadius * radius);
   painter.drawImage(this->Middle() - QPointF(radius, radius), this->MakePicture());
   if (!this->isEnabled())

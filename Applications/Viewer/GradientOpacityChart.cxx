@@ -90,7 +90,7 @@ void GradientOpacityChart::ShowHistogram()
   {
     vtkImageData* volume = this->Document->GetVoxels().Volume;
     this->Histogram =
-      AddBars(MakeGradientHistogram(volume, LargestGradientOfChart(volume)), this->Chart);
+      AddHistogram(MakeGradientHistogram(volume, LargestGradientOfChart(volume)), this->Chart);
     this->Draw();
   }
 }

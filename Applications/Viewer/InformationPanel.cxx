@@ -25,7 +25,7 @@ QLabel* MakeLabel(QWidget* parent)
 
 QString Number(double number)
 {
-  return QString::number(number, 'g', 6);
+  return QString::number(number, 'g', 4);
 }
 
 QString RowOf(const QString& name, const QString& value)
@@ -43,6 +43,8 @@ QString FactsOf(vtkImageData* image, const SceneDescription& scene)
   const QString modality = QString::fromStdString(TextField(image, "Modality"));
   const double mebibytes = image->GetActualMemorySize() / 1024.0;
   const QString times = QString(QChar(0xd7));
+  // Of what the readers tell, only DICOM's lengths are known.
+  const QString lengths = modality.isEmpty() ? QString() : QObject::tr(" mm");
   QString rows =
     RowOf(QObject::tr("File"), QString::fromStdString(scene.Volume.File.filename().u8string()));
   if (!modality.isEmpty())
@@ -53,11 +55,13 @@ QString FactsOf(vtkImageData* image, const SceneDescription& scene)
     QString("%1 %4 %2 %4 %3").arg(dimensions[0]).arg(dimensions[1]).arg(dimensions[2]).arg(times));
   rows += RowOf(QObject::tr("Spacing"),
     QString("%1 %4 %2 %4 %3")
-      .arg(Number(spacing[0]), Number(spacing[1]), Number(spacing[2]), times));
+        .arg(Number(spacing[0]), Number(spacing[1]), Number(spacing[2]), times) +
+      lengths);
   rows += RowOf(QObject::tr("Size"),
     QString("%1 %4 %2 %4 %3")
-      .arg(Number(spacing[0] * dimensions[0]), Number(spacing[1] * dimensions[1]),
-        Number(spacing[2] * dimensions[2]), times));
+        .arg(Number(spacing[0] * dimensions[0]), Number(spacing[1] * dimensions[1]),
+          Number(spacing[2] * dimensions[2]), times) +
+      lengths);
   rows += RowOf(QObject::tr("Values"),
     QObject::tr("%1 to %2 %3").arg(Number(range[0]), Number(range[1]), units).trimmed());
   rows += RowOf(QObject::tr("Type"), ScalarTypeName(image->GetScalarType()));
@@ -80,6 +84,7 @@ InformationPanel::InformationPanel(SceneDocument* document, QWidget* parent)
   layout->addWidget(this->Facts);
   layout->addWidget(this->Notes);
   layout->addStretch();
+  this->Facts->setText(tr("Nothing is open yet."));
   this->connect(document, &SceneDocument::opened, this, &InformationPanel::Refresh);
 }
 

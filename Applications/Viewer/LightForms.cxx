@@ -91,7 +91,8 @@ void AddCone(PropertyForm* form, SceneDocument* document)
     { QObject::tr("Cone angle"),
       QObject::tr("Half the angle of the spot's cone in degrees; from 90 on it shines "
                   "all around.") },
-    { 0.0, 180.0, 1 }, 90.0, AccessTo<double>(document, &LightDescription::ConeAngle));
+    { 0.0, 180.0, 1, QObject::tr("\u00b0") }, 90.0,
+    AccessTo<double>(document, &LightDescription::ConeAngle));
   form->ShowLastWhen(isSpot);
   form->AddSlider({ QObject::tr("Cone fall-off"),
                     QObject::tr("0: evenly bright up to the cone's edge; more: brighter in its "

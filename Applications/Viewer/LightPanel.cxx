@@ -110,19 +110,20 @@ QWidget* LightPanel::MakeButtons()
   auto* const row = new QWidget(this);
   auto* const layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(
-    MakeMenuButton(tr("Add"), tr("Add a light to the scene"), this->AddActions, row));
+  this->AddButton =
+    MakeMenuButton(tr("Add"), tr("Add a light to the scene"), this->AddActions, row);
+  layout->addWidget(this->AddButton);
   QToolButton* remove = MakePanelButton(tr("Remove"), tr("Remove the selected light"), row);
   remove->setObjectName("removeLightButton");
   this->connect(remove, &QToolButton::clicked, this->RemoveAction, &QAction::trigger);
   this->connect(this->RemoveAction, &QAction::changed, remove,
     [=] { remove->setEnabled(this->RemoveAction->isEnabled()); });
   layout->addWidget(remove);
-  QToolButton* rigs = MakeMenuButton(
+  this->RigButton = MakeMenuButton(
     tr("Rigs"), tr("Replace all lights by a tried arrangement"), this->RigActions, row);
-  rigs->menu()->addSeparator();
-  rigs->menu()->addAction(this->ResetAction);
-  layout->addWidget(rigs);
+  this->RigButton->menu()->addSeparator();
+  this->RigButton->menu()->addAction(this->ResetAction);
+  layout->addWidget(this->RigButton);
   return row;
 }
 
@@ -132,7 +133,9 @@ QWidget* LightPanel::MakePages()
   auto* const pages = new QTabWidget(this);
   auto* const simple = new QWidget;
   auto* const layout = new QVBoxLayout(simple);
-  auto* const hint = new QLabel(tr("Drag the light around the ball:"), simple);
+  auto* const hint =
+    new QLabel(tr("Drag the light around the ball; in the ring it shines from behind:"), simple);
+  hint->setWordWrap(true);
   layout->addWidget(hint);
   this->Ball = new DirectionBall(simple);
   layout->addWidget(this->Ball, 1);
@@ -258,6 +261,8 @@ void LightPanel::Refresh()
     action->setEnabled(open);
   }
   this->ResetAction->setEnabled(open);
+  this->AddButton->setEnabled(open);
+  this->RigButton->setEnabled(open);
   this->ShowDirection();
 }
 

@@ -13,7 +13,7 @@
 class QAction;
 class QListWidget;
 class QListWidgetItem;
-class QMenu;
+class QToolButton;
 
 namespace penumbra
 {
@@ -59,6 +59,8 @@ private:
   VolumeView* View;
   QListWidget* List;
   DirectionBall* Ball = nullptr;
+  QToolButton* AddButton = nullptr;
+  QToolButton* RigButton = nullptr;
   QList<QAction*> AddActions;
   QList<QAction*> RigActions;
   QAction* CopyAction = nullptr;

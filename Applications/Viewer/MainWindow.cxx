@@ -114,7 +114,11 @@ void MainWindow::Connect()
     this->View, &VolumeView::aimed, this->Panels->GetLights(), &LightPanel::AimSelected);
   this->connect(this->View, &VolumeView::refined, this,
     [this](double seconds)
-    { this->statusBar()->showMessage(tr("Drawn in %1 s").arg(seconds, 0, 'f', 2)); });
+    {
+      this->statusBar()->showMessage(tr("Drawn in %1 s. Drag to turn, scroll to zoom, double-click "
+                                        "to aim the light there; F1 tells more.")
+                                       .arg(seconds, 0, 'f', 2));
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@ NumberBox::NumberBox(const NumberRange& range, QWidget* parent)
   this->setLocale(QLocale::c());
   this->setDecimals(range.Decimals);
   this->setRange(range.Lowest, range.Highest);
+  this->setSuffix(range.Unit);
   this->setSingleStep(std::pow(10.0, -std::min(range.Decimals, 2)) * 5.0);
   this->setKeyboardTracking(false);
   this->setFocusPolicy(Qt::StrongFocus);

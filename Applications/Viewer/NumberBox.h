@@ -18,6 +18,7 @@ struct NumberRange
   double Lowest = 0.0;
   double Highest = 1.0;
   int Decimals = 2;
+  QString Unit = {}; ///< after the number
 };
 
 class NumberBox : public QDoubleSpinBox

@@ -22,7 +22,7 @@ PipelineTree::PipelineTree(SceneDocument* document, QWidget* parent)
   this->setObjectName("pipelineTree");
   this->setAccessibleName(tr("Pipeline"));
   this->setHeaderHidden(true);
-  this->setMinimumHeight(90);
+  this->setMinimumSize(170, 90);
   this->connect(document, &SceneDocument::changed, this, &PipelineTree::Rebuild);
   this->connect(document, &SceneDocument::lightSelected, this, &PipelineTree::Rebuild);
   this->connect(this, &QTreeWidget::itemSelectionChanged, this, &PipelineTree::TakeSelection);

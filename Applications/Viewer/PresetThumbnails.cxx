@@ -88,8 +88,8 @@ SceneDescription PresetThumbnails::SceneOf(const std::string& preset) const
 {
   SceneDescription scene = this->Scene;
   ApplyPreset(preset, {}, this->Voxels.Volume, *this->Statistics, scene);
-  scene.SampleDistance = SmallestSpacing(this->Voxels.Volume);
-  scene.Shadows.SampleDistance = 2.0 * *scene.SampleDistance;
+  scene.SampleDistance = 0.5 * SmallestSpacing(this->Voxels.Volume);
+  scene.Shadows.SampleDistance = 4.0 * *scene.SampleDistance;
   ViewFromTheFront(scene, this->Voxels.Volume);
   return scene;
 }

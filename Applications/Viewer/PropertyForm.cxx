@@ -150,6 +150,18 @@ void PropertyForm::AddWidget(QWidget* widget)
 }
 
 //------------------------------------------------------------------------------
+void PropertyForm::AddHeading(const QString& text)
+{
+  auto* const heading = new QLabel(text, this);
+  QFont font = heading->font();
+  font.setBold(true);
+  heading->setFont(font);
+  heading->setMinimumHeight(RowHeight);
+  heading->setAlignment(Qt::AlignLeft | Qt::AlignBottom);
+  this->AddWidget(heading);
+}
+
+//------------------------------------------------------------------------------
 void PropertyForm::ShowLastWhen(const Condition& condition)
 {
   this->Rows.back().Shown = condition;

@@ -61,6 +61,8 @@ public:
     const PropertyText& text, const NumberRange& range, const PropertyAccess<Vector3>& access);
   void AddText(const PropertyText& text, const PropertyAccess<QString>& access);
   void AddWidget(QWidget* widget);
+  /// Above the rows that follow.
+  void AddHeading(const QString& text);
 
   /// The row added last is shown only where this holds.
   void ShowLastWhen(const Condition& condition);

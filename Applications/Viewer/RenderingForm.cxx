@@ -176,6 +176,7 @@ void FillMaterialForm(PropertyForm* form, SceneDocument* document)
 //------------------------------------------------------------------------------
 void FillRenderingForm(PropertyForm* form, SceneDocument* document, VolumeView* view)
 {
+  form->AddHeading(QObject::tr("Light and shadow"));
   form->AddChoice({ QObject::tr("Renderer"),
                     QObject::tr("Penumbra casts shadows; VTK's own ray caster does not.") },
     { QObject::tr("Penumbra"), QObject::tr("VTK") },
@@ -210,6 +211,13 @@ void FillRenderingForm(PropertyForm* form, SceneDocument* document, VolumeView* 
       [](SceneDescription& scene, const double& error) { scene.Shadows.Tolerance = error; } });
   form->ShowLastWhen(
     [](const SceneDescription& scene) { return scene.Shadows.Technique == TechniqueChoice::Auto; });
+  form->AddSwitch(
+    { QObject::tr("Lit from both sides"), QObject::tr("Whether the back of surfaces is lit too.") },
+    AccessToScene<bool>(&SceneDescription::TwoSidedLighting));
+  form->AddColor({ QObject::tr("Background"), QObject::tr("The colour behind the volume.") },
+    { [](const SceneDescription& scene) { return scene.Image.Background; },
+      [](SceneDescription& scene, const Vector3& color) { scene.Image.Background = color; } });
+  form->AddHeading(QObject::tr("Quality"));
   AddSteps(form, document, view);
   form->AddChoice({ QObject::tr("Gradient"),
                     QObject::tr("How slopes are estimated: central is good, forward and backward "
@@ -217,12 +225,6 @@ void FillRenderingForm(PropertyForm* form, SceneDocument* document, VolumeView* 
     { QObject::tr("Central"), QObject::tr("Forward"), QObject::tr("Backward"),
       QObject::tr("Sobel") },
     AccessToScene<int>(&SceneDescription::Gradient));
-  form->AddSwitch(
-    { QObject::tr("Lit from both sides"), QObject::tr("Whether the back of surfaces is lit too.") },
-    AccessToScene<bool>(&SceneDescription::TwoSidedLighting));
-  form->AddColor({ QObject::tr("Background"), QObject::tr("The colour behind the volume.") },
-    { [](const SceneDescription& scene) { return scene.Image.Background; },
-      [](SceneDescription& scene, const Vector3& color) { scene.Image.Background = color; } });
 }
 
 }

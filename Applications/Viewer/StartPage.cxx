@@ -31,18 +31,16 @@ StartPage::StartPage(QWidget* parent)
   this->setObjectName("startPage");
   this->setAutoFillBackground(true);
   auto* const layout = new QGridLayout(this);
-  layout->setColumnStretch(0, 1);
-  layout->setColumnStretch(2, 1);
   layout->setRowStretch(0, 1);
   layout->setRowStretch(2, 2);
   auto* const middle = new QWidget(this);
-  middle->setFixedWidth(440);
-  layout->addWidget(middle, 1, 1);
+  middle->setMaximumWidth(480);
+  layout->addWidget(middle, 1, 0);
   this->Column = new QVBoxLayout(middle);
   this->Column->setSpacing(6);
   this->Column->addWidget(MakeText(tr("Penumbra"), 2.6, true, middle));
   this->Column->addWidget(MakeText(
-    tr("See what lies in front of what: volumes with light and shadow."), 1.15, false, middle));
+    tr("See what lies in front of what: volumes with light and shadow."), 1.1, false, middle));
   this->Column->addSpacing(18);
   QPushButton* folder = this->AddButton(
     tr("Open a &DICOM folder..."), tr("All slices of a CT or MR, as the scanner stored them"));

@@ -12,8 +12,8 @@ constexpr QRgb Accent = 0x3d8bd4;
 
 QPalette MakePalette(QRgb window, QRgb base, QRgb button, QRgb text, QRgb faint, QRgb tip)
 {
-  QPalette palette;
-  palette.setColor(QPalette::Window, QColor(window));
+  // Colours of edges follow from these two.
+  QPalette palette{ QColor(button), QColor(window) };
   palette.setColor(QPalette::Base, QColor(base));
   palette.setColor(QPalette::AlternateBase, QColor(window));
   palette.setColor(QPalette::Button, QColor(button));
@@ -34,7 +34,7 @@ QPalette MakePalette(QRgb window, QRgb base, QRgb button, QRgb text, QRgb faint,
 
 QPalette PaletteOf(bool dark)
 {
-  return dark ? MakePalette(0x25282d, 0x1b1d21, 0x33373d, 0xe4e6e9, 0x7c828a, 0x3a3f46)
+  return dark ? MakePalette(0x2b2e33, 0x191b1e, 0x3a3e45, 0xe4e6e9, 0x7c828a, 0x3a3f46)
               : MakePalette(0xf1f2f4, 0xffffff, 0xf7f8f9, 0x202327, 0x9a9fa6, 0xffffe8);
 }
 

@@ -101,7 +101,7 @@ void TransferFunctionChart::ShowOpened()
     chart->GetAxis(vtkAxis::LEFT)->SetRange(0.0, 1.0);
   }
   this->OpacityChart->RemovePlotInstance(this->Histogram);
-  this->Histogram = AddBars(MakeHistogram(volume), this->OpacityChart);
+  this->Histogram = AddHistogram(MakeHistogram(volume), this->OpacityChart);
   this->OpacityPoints->SetValidBounds(range[0], range[1], 0.0, 1.0);
   this->OpacityPoints->SetUserBounds(range[0], range[1], 0.0, 1.0);
   this->ColorPoints->SetUserBounds(range[0], range[1], 0.0, 1.0);

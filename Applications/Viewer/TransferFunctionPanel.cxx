@@ -16,6 +16,7 @@ namespace
 {
 // Of what the chart shows: from here on matter counts as an edge at first.
 constexpr double FirstEdge = 0.2;
+constexpr int WidthOfPoints = 128;
 }
 
 //------------------------------------------------------------------------------
@@ -60,9 +61,10 @@ QWidget* TransferFunctionPanel::MakeGradientPage()
   row->setContentsMargins(0, 0, 0, 0);
   this->GradientChart = new GradientOpacityChart(this->Document, this->GradientEditor);
   row->addWidget(this->GradientChart, 1);
-  row->addWidget(new PointTable(tr("Points of gradient opacity"), this->Document,
-                   AccessToGradientOpacity(), this->GradientEditor),
-    1);
+  auto* const points = new PointTable(tr("Points of gradient opacity"), this->Document,
+    AccessToGradientOpacity(), this->GradientEditor);
+  points->setFixedWidth(WidthOfPoints);
+  row->addWidget(points);
   column->addWidget(this->GradientEditor, 1);
   this->GradientEditor->setEnabled(false);
   this->connect(

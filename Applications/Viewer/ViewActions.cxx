@@ -69,6 +69,8 @@ void ViewActions::Fill(QMenu* menu, QToolBar* bar)
         this->View->SetCamera(scene.Camera);
       }
     });
+  reset->setEnabled(false);
+  this->connect(this->Document, &SceneDocument::opened, reset, [=] { reset->setEnabled(true); });
   bar->addAction(reset);
   this->FillDirections(menu->addMenu(tr("Look &from")));
   QAction* parallel = menu->addAction(tr("&Parallel projection"));

@@ -276,6 +276,7 @@ void ViewDrawing::Finish(double seconds)
 {
   this->RefineTimer.stop();
   this->SecondsOfLastWholeFrame = seconds;
+  this->Quality.NoteStill(seconds);
   this->Distance = 1;
   this->SceneChanged = false;
   auto* const mapper = this->Rendering->GetIlluminatedMapper();

@@ -9,6 +9,8 @@ namespace
 {
 // Of a frame's time, which rays have at least.
 constexpr double LeastPartOfRays = 0.25;
+// Of a still frame's time, which one of what moves takes without being coarse.
+constexpr double LeastPartOfStill = 0.125;
 }
 
 //------------------------------------------------------------------------------
@@ -16,6 +18,12 @@ void ViewQuality::NoteFrame(double seconds, double kept, int distance)
 {
   this->SecondsOfRays = std::max(seconds - kept, 0.0) * distance * distance;
   this->SecondsOfKept = kept;
+}
+
+//------------------------------------------------------------------------------
+void ViewQuality::NoteStill(double seconds)
+{
+  this->SecondsOfRays = std::clamp(this->SecondsOfRays, LeastPartOfStill * seconds, seconds);
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,10 @@ public:
   /// spent on what does not depend on rays, as shadows that are kept.
   void NoteFrame(double seconds, double kept, int distance);
 
+  /// A whole frame with all that a still picture has took this long, which bounds what is expected
+  /// of one of what moves.
+  void NoteStill(double seconds);
+
   /// The smallest distance between rays, 1 to LargestDistance pixels, by which about `rate` frames
   /// a second can be drawn, going by the frame before.
   int FindDistance(double rate) const;

@@ -8,7 +8,7 @@
 #include <vtkImageHistogram.h>
 #include <vtkNew.h>
 #include <vtkPen.h>
-#include <vtkPlotBar.h>
+#include <vtkPlotArea.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -50,9 +50,14 @@ vtkSmartPointer<vtkTable> Count(vtkImageData* volume, double lowest, double larg
     heights->InsertNextValue(
       static_cast<float>(std::log1p(counts->GetValue(bin)) / std::log1p(most)));
   }
+  vtkNew<vtkFloatArray> floor;
+  floor->SetName("floor");
+  floor->SetNumberOfValues(heights->GetNumberOfValues());
+  floor->FillValue(0.0f);
   auto table = vtkSmartPointer<vtkTable>::New();
   table->AddColumn(values);
   table->AddColumn(heights);
+  table->AddColumn(floor);
   return table;
 }
 
@@ -87,17 +92,20 @@ vtkSmartPointer<vtkTable> MakeGradientHistogram(vtkImageData* volume, double lar
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPlot> AddBars(vtkTable* histogram, vtkChartXY* chart)
+vtkSmartPointer<vtkPlot> AddHistogram(vtkTable* histogram, vtkChartXY* chart)
 {
-  auto bars = vtkSmartPointer<vtkPlotBar>::New();
-  bars->SetInputData(histogram, 0, 1);
-  bars->SetColor(128, 128, 128, 110);
-  bars->GetPen()->SetLineType(vtkPen::NO_PEN);
-  bars->SetSelectable(false);
-  bars->SetInteractive(false);
-  chart->AddPlot(bars);
-  chart->LowerPlot(bars);
-  return bars;
+  auto area = vtkSmartPointer<vtkPlotArea>::New();
+  area->SetInputData(histogram);
+  area->SetInputArray(0, "value");
+  area->SetInputArray(1, "frequency");
+  area->SetInputArray(2, "floor");
+  area->SetColor(128, 128, 128, 110);
+  area->GetPen()->SetLineType(vtkPen::NO_PEN);
+  area->SetSelectable(false);
+  area->SetInteractive(false);
+  chart->AddPlot(area);
+  chart->LowerPlot(area);
+  return area;
 }
 
 }

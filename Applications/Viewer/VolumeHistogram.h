@@ -25,8 +25,8 @@ vtkSmartPointer<vtkTable> MakeHistogram(vtkImageData* volume);
  */
 vtkSmartPointer<vtkTable> MakeGradientHistogram(vtkImageData* volume, double largest);
 
-/// Shows a histogram as bars behind all that the chart has. Returns the bars.
-vtkSmartPointer<vtkPlot> AddBars(vtkTable* histogram, vtkChartXY* chart);
+/// Shows a histogram behind all that the chart has. Returns its plot.
+vtkSmartPointer<vtkPlot> AddHistogram(vtkTable* histogram, vtkChartXY* chart);
 
 }
 

@@ -17,6 +17,7 @@
 #include <QMenuBar>
 #include <QStyle>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace penumbra
 {
@@ -49,6 +50,11 @@ void FillEditMenu(QMenu* menu, QToolBar* bar, QUndoStack* history)
   redo->setIcon(menu->style()->standardIcon(QStyle::SP_ArrowForward));
   menu->addActions({ undo, redo });
   bar->addActions({ undo, redo });
+  for (QAction* action : { undo, redo }) // whose texts change with every edit
+  {
+    static_cast<QToolButton*>(bar->widgetForAction(action))
+      ->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  }
 }
 }
 
@@ -58,6 +64,7 @@ void FillMenus(QMainWindow* window, const WindowParts& parts)
   QToolBar* bar = window->addToolBar(QObject::tr("Tools"));
   bar->setObjectName("toolBar");
   bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   QMenu* file = window->menuBar()->addMenu(QObject::tr("&File"));
   parts.Files->Fill(file, bar);
   bar->addSeparator();
