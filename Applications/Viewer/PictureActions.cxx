@@ -5,6 +5,7 @@
 #include "OutputFile.h"
 #include "Picture.h"
 #include "PictureImage.h"
+#include "RenderingError.h"
 #include "SceneDocument.h"
 #include "SceneRendering.h"
 #include "SizeDialog.h"
@@ -14,6 +15,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
 #include <QProgressDialog>
 
@@ -118,6 +120,10 @@ public:
       this->Video->Start();
     }
     this->Video->Write();
+    if (this->Video->GetError() != 0)
+    {
+      throw RenderingError(this->File.u8string() + ": the video cannot be written there");
+    }
   }
 
   int GetCount() const { return this->Count; }
@@ -230,11 +236,17 @@ void PictureActions::AskForTurntable()
   {
     return;
   }
-  const QString file = QFileDialog::getSaveFileName(
-    this->Window, tr("Save the turntable"), QString(), tr("PNG pictures (*.png);;Video (*.ogv)"));
+  const QString series = tr("PNG pictures (*.png)");
+  QString kind = series;
+  QString file = QFileDialog::getSaveFileName(
+    this->Window, tr("Save the turntable"), QString(), series + ";;" + tr("Video (*.ogv)"), &kind);
   if (file.isEmpty())
   {
     return;
+  }
+  if (QFileInfo(file).suffix().isEmpty())
+  {
+    file += kind == series ? ".png" : ".ogv";
   }
   try
   {

@@ -29,7 +29,7 @@ public:
     QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override
   {
     const QVariant value = index.data(Qt::EditRole);
-    if (value.type() != QVariant::Double)
+    if (value.userType() != QMetaType::Double)
     {
       return QStyledItemDelegate::createEditor(parent, option, index);
     }

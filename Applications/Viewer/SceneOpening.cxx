@@ -30,13 +30,19 @@ SceneOpening::~SceneOpening()
 void SceneOpening::Start(const OpenRequest& request)
 {
   this->Cancel();
-  if (this->Thread.joinable())
-  {
-    this->Thread.join();
-  }
   this->Current = std::make_shared<Task>();
   this->Current->Request = request;
-  this->Thread = std::thread(&SceneOpening::Read, this, this->Current);
+  // What was canceled ends when it next asks; the window does not wait for it.
+  this->Thread = std::thread(
+    [this, task = this->Current](std::thread before)
+    {
+      if (before.joinable())
+      {
+        before.join();
+      }
+      this->Read(task);
+    },
+    std::move(this->Thread));
 }
 
 //------------------------------------------------------------------------------
@@ -60,20 +66,14 @@ void SceneOpening::Read(const std::shared_ptr<Task>& task)
       this, [this, task, part] { this->Tell(task, part); }, Qt::QueuedConnection);
     return !task->Canceled;
   };
-  if (task->Request.AskForSeries)
-  {
-    const SeriesChoice series = ListSeries(task->Request.File, this->DicomParser);
-    if (series.size() > 1)
-    {
-      QMetaObject::invokeMethod(
-        this, [=] { this->OfferSeries(task, series); }, Qt::QueuedConnection);
-      return;
-    }
-  }
   std::shared_ptr<OpenedScene> scene;
   QString reason;
   try
   {
+    if (task->Request.AskForSeries && !task->Canceled && this->FindSeveralSeries(task))
+    {
+      return;
+    }
     scene =
       std::make_shared<OpenedScene>(ReadScene(task->Request, { this->DicomParser, progress }));
   }
@@ -87,6 +87,18 @@ void SceneOpening::Read(const std::shared_ptr<Task>& task)
   }
   QMetaObject::invokeMethod(
     this, [=] { this->Finish(task, scene, reason); }, Qt::QueuedConnection);
+}
+
+//------------------------------------------------------------------------------
+bool SceneOpening::FindSeveralSeries(const std::shared_ptr<Task>& task)
+{
+  const SeriesChoice series = ListSeries(task->Request.File, this->DicomParser);
+  if (series.size() > 1)
+  {
+    QMetaObject::invokeMethod(
+      this, [=] { this->OfferSeries(task, series); }, Qt::QueuedConnection);
+  }
+  return series.size() > 1;
 }
 
 //------------------------------------------------------------------------------

@@ -56,7 +56,11 @@ private:
     std::atomic<bool> Canceled{ false };
   };
 
+  /// These two run in the thread.
+  ///@{
   void Read(const std::shared_ptr<Task>& task);
+  bool FindSeveralSeries(const std::shared_ptr<Task>& task);
+  ///@}
   void Finish(const std::shared_ptr<Task>& task, const std::shared_ptr<OpenedScene>& scene,
     const QString& reason);
   void OfferSeries(const std::shared_ptr<Task>& task, const SeriesChoice& series);

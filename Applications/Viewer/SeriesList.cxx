@@ -1,6 +1,8 @@
 #include "SeriesList.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkDICOMVolumeReader.h>
+#include <vtkExecutive.h>
 #include <vtkNew.h>
 
 namespace penumbra
@@ -11,11 +13,17 @@ std::vector<SeriesFacts> ListSeries(
   const std::filesystem::path& folder, const std::filesystem::path& dicomParser)
 {
   vtkNew<vtkDICOMVolumeReader> reader;
-  vtkObject::GlobalWarningDisplayOff(); // what is wrong is told where the volume is read
+  // What is wrong is told where the volume is read.
+  vtkNew<vtkCallbackCommand> silence;
+  for (vtkObject* speaker :
+    { static_cast<vtkObject*>(reader), static_cast<vtkObject*>(reader->GetExecutive()) })
+  {
+    speaker->AddObserver(vtkCommand::ErrorEvent, silence);
+    speaker->AddObserver(vtkCommand::WarningEvent, silence);
+  }
   reader->SetFileName(folder.u8string().c_str());
   reader->SetParserProgram(dicomParser.u8string().c_str());
   reader->UpdateInformation();
-  vtkObject::GlobalWarningDisplayOn();
   std::vector<SeriesFacts> series;
   for (int i = 0; i < reader->GetNumberOfSeries(); ++i)
   {

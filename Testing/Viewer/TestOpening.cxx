@@ -50,6 +50,20 @@ TEST_CASE("Canceling leaves what was open")
   CHECK_FALSE(WaitFor([&] { return session.Document.GetOpenedFile() != session.Files.File; }, 1.0));
 }
 
+TEST_CASE("Of what is opened before the last was read, the last is shown")
+{
+  ViewerSession session;
+  for (int i = 0; i < 5; ++i)
+  {
+    session.Window.Open(session.Files.PathOf("shells.mhd"));
+  }
+  int opened = 0;
+  QObject::connect(&session.Document, &SceneDocument::opened, &session.Window, [&] { ++opened; });
+  REQUIRE(session.Open(session.Files.File));
+  CHECK(session.Document.GetOpenedFile() == session.Files.File);
+  CHECK_FALSE(WaitFor([&] { return opened > 1; }, 0.5));
+}
+
 TEST_CASE("A volume without a scene is lit and shadowed from the start")
 {
   ViewerSession session;

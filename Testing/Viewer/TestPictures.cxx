@@ -1,6 +1,7 @@
 #include "Catch.h"
 #include "ImageComparison.h"
 #include "PictureActions.h"
+#include "RenderingError.h"
 #include "RunProgram.h"
 #include "SurfacePicking.h"
 #include "ViewDecorations.h"
@@ -45,6 +46,8 @@ TEST_CASE("A turntable is a series of different pictures, or a video")
   CHECK(CompareImages(first, ReadPNG(session.Files.PathOf("turn0001.png"))).rmse > 2.0);
   CHECK(pictures->SaveTurntable(session.Files.PathOf("turn.ogv"), { 64, 48 }, 3) == 3);
   CHECK(ReadAll(session.Files.PathOf("turn.ogv")).substr(0, 4) == "OggS");
+  CHECK_THROWS_AS(
+    pictures->SaveTurntable(session.Files.PathOf("no/turn.ogv"), { 64, 48 }, 3), RenderingError);
 }
 
 TEST_CASE("The surface that is seen is found, and nothing beside the volume")
