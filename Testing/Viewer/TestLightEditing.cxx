@@ -89,6 +89,8 @@ TEST_CASE("The ball turns the selected light by mouse and by keyboard", "[lights
   }
   CHECK(session.Document.GetHistory()->index() == 1); // one gesture, one step
   CHECK(session.ChangeSince(before) > Seen);
+  session.Find<QDoubleSpinBox>("Brightness")->setValue(0.5);
+  CHECK(session.Document.GetHistory()->index() == 2); // another gesture, however soon
 }
 
 TEST_CASE("Brightness takes numbers with a point or a comma in every language", "[lights]")

@@ -15,6 +15,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkIlluminatedVolumeMapper.h>
 #include <vtkImageData.h>
+#include <vtkVolume.h>
 
 using namespace penumbra;
 
@@ -81,6 +82,9 @@ TEST_CASE("A frame that is drawn in strips is the whole frame", "[still]")
   SceneRendering* rendering = view->GetRendering();
   CHECK((rendering->GetIlluminatedMapper()->GetNumberOfDraws() > 1) == (step < 0.5));
   view->GetDecorations()->Hide(true);
+  rendering->GetVolume()->VisibilityOff(); // so that nothing of the whole frame is left
+  view->renderWindow()->Render();
+  rendering->GetVolume()->VisibilityOn();
   StillFrame still;
   still.Begin(rendering->GetRenderer(), rendering->GetIlluminatedMapper(), 7);
   int strips = 1;
