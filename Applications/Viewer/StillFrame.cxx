@@ -1,10 +1,10 @@
 #include "StillFrame.h"
 
 #include <vtkCommand.h>
+#include <vtkIlluminatedVolumeMapper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
-#include <vtkVolumeMapper.h>
 
 #include <chrono>
 
@@ -18,7 +18,7 @@ StillFrame::~StillFrame()
 }
 
 //------------------------------------------------------------------------------
-void StillFrame::Begin(vtkRenderer* renderer, vtkVolumeMapper* mapper, int strips)
+void StillFrame::Begin(vtkRenderer* renderer, vtkIlluminatedVolumeMapper* mapper, int strips)
 {
   this->End();
   this->Renderer = renderer;
@@ -26,6 +26,7 @@ void StillFrame::Begin(vtkRenderer* renderer, vtkVolumeMapper* mapper, int strip
   this->Strips = strips;
   this->Strip = 0;
   this->Seconds = 0.0;
+  this->Mapper->SetShadowUpdateTime(SecondsOfShadows);
   this->Renderer->EraseOff(); // a strip is cleared when it is its turn
   // The camera has set its own scissor by then.
   this->Confining = mapper->AddObserver(
@@ -63,7 +64,7 @@ bool StillFrame::DrawNext()
   this->Renderer->GetRenderWindow()->WaitForCompletion();
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
   this->Seconds += passed.count();
-  ++this->Strip;
+  this->Strip += this->Mapper->GetShadowsComplete() ? 1 : 0;
   return this->Strip == this->Strips;
 }
 
@@ -81,6 +82,7 @@ void StillFrame::End()
   {
     this->Mapper->RemoveObserver(this->Confining);
     this->Mapper->RemoveObserver(this->Freeing);
+    this->Mapper->SetShadowUpdateTime(0.0);
     this->Renderer->EraseOn();
     this->Renderer = nullptr;
     this->Mapper = nullptr;

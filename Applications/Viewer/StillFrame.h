@@ -3,8 +3,8 @@
  * @brief   one whole frame, drawn strip by strip, so that events are answered in between
  *
  * Every strip has the rays that the whole frame has there, and the picture is the same. What lies
- * over the volume is drawn once, at the end. Making what is kept of shadows is part of the first
- * strip and is not divided.
+ * over the volume is drawn once, at the end. Before the first strip, shadows that are kept are
+ * computed piece by piece.
  */
 
 #ifndef StillFrame_h
@@ -12,8 +12,8 @@
 
 #include <vtkSmartPointer.h>
 
+class vtkIlluminatedVolumeMapper;
 class vtkRenderer;
-class vtkVolumeMapper;
 
 namespace penumbra
 {
@@ -27,9 +27,12 @@ public:
   StillFrame& operator=(const StillFrame&) = delete;
 
   /// The renderer has to be in a window and to show a volume with this mapper.
-  void Begin(vtkRenderer* renderer, vtkVolumeMapper* mapper, int strips);
+  void Begin(vtkRenderer* renderer, vtkIlluminatedVolumeMapper* mapper, int strips);
 
-  /// Draws a strip, from below upwards. Returns whether it was the last.
+  /// About how long a draw may compute shadows, in seconds.
+  static constexpr double SecondsOfShadows = 0.08;
+
+  /// Draws a strip, from below upwards, or computes shadows. Returns whether all is drawn.
   bool DrawNext();
 
   /// Draws what lies over the volume, which stays as it is.
@@ -48,7 +51,7 @@ private:
   void Free();
 
   vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkVolumeMapper> Mapper;
+  vtkSmartPointer<vtkIlluminatedVolumeMapper> Mapper;
   unsigned long Confining = 0;
   unsigned long Freeing = 0;
   int Strips = 1;

@@ -53,7 +53,13 @@ std::array<int, 2> OpacityMaps::GetSize() const
 }
 
 //------------------------------------------------------------------------------
-void OpacityMaps::FillLight(const Filling& filling, int slot)
+int OpacityMaps::CountParts() const
+{
+  return (this->Plan.Layers + OpacityMapPlan::LayersPerDraw - 1) / OpacityMapPlan::LayersPerDraw;
+}
+
+//------------------------------------------------------------------------------
+void OpacityMaps::FillPart(const Filling& filling, int slot, int part)
 {
   constexpr int perDraw = OpacityMapPlan::LayersPerDraw;
   const LightSpace& space = filling.Scene->LightSpaces[slot];
@@ -62,18 +68,16 @@ void OpacityMaps::FillLight(const Filling& filling, int slot)
   this->SetMapRays(filling, slot, spacing / filling.Scene->Placement.SmallestSpacing);
   SetUniform(program, "scene_mapTexels", this->Plan.Texels);
   SetUniform(program, "scene_mapSpacing", spacing);
-  for (int layer = 0; layer < this->Plan.Layers; layer += perDraw)
-  {
-    vtkTextureObject* before = this->Depths[layer / perDraw % 2];
-    vtkTextureObject* after = this->Depths[1 - layer / perDraw % 2];
-    before->Activate();
-    SetSampler(program, "scene_depthBefore", before);
-    program->SetUniformi("scene_mapLayer", layer);
-    SetUniform(program, "scene_mapFirst", space.Nearest + (layer - 1) * spacing);
-    this->Attach(this->Plan.Layers * slot + layer, perDraw, after);
-    this->Draw(filling, 1.0 * perDraw / this->Plan.Layers);
-    before->Deactivate();
-  }
+  const int layer = part * perDraw;
+  vtkTextureObject* before = this->Depths[part % 2];
+  vtkTextureObject* after = this->Depths[1 - part % 2];
+  before->Activate();
+  SetSampler(program, "scene_depthBefore", before);
+  program->SetUniformi("scene_mapLayer", layer);
+  SetUniform(program, "scene_mapFirst", space.Nearest + (layer - 1) * spacing);
+  this->Attach(this->Plan.Layers * slot + layer, perDraw, after);
+  this->Draw(filling, 1.0 * perDraw / this->Plan.Layers);
+  before->Deactivate();
 }
 
 //------------------------------------------------------------------------------

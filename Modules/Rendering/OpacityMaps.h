@@ -28,7 +28,8 @@ public:
 private:
   std::string GetSource(const LightingRequirements& requirements) const override;
   std::array<int, 2> GetSize() const override;
-  void FillLight(const Filling& filling, int slot) override;
+  int CountParts() const override;
+  void FillPart(const Filling& filling, int slot, int part) override;
 
   bool ReserveDepths(vtkOpenGLRenderWindow* window);
 

@@ -83,11 +83,12 @@ bool ShadowCache::Create(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool ShadowCache::Update(
-  vtkOpenGLRenderWindow* window, const DrawnScene& scene, const VolumeTextures& textures)
+bool ShadowCache::Update(vtkOpenGLRenderWindow* window, const DrawnScene& scene,
+  const VolumeTextures& textures, double seconds)
 {
   if (scene.Matter != this->Matter)
   {
+    this->Begun.reset();
     std::fill(this->Held.begin(), this->Held.end(), std::nullopt);
     this->Matter = scene.Matter;
   }
@@ -101,22 +102,24 @@ bool ShadowCache::Update(
   }
   if (changed.empty())
   {
+    this->Begun.reset();
     return true;
   }
+  const double secondsBefore = this->Begun ? this->UpdateSeconds : 0.0;
   const auto before = std::chrono::steady_clock::now();
-  if (!this->Fill(window, scene, textures, changed))
+  if (!this->Fill(window, scene, textures, changed, seconds))
   {
     return false;
   }
   window->WaitForCompletion();
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - before;
-  this->UpdateSeconds = passed.count();
+  this->UpdateSeconds = secondsBefore + passed.count();
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool ShadowCache::Fill(vtkOpenGLRenderWindow* window, const DrawnScene& scene,
-  const VolumeTextures& textures, const std::vector<int>& slots)
+  const VolumeTextures& textures, const std::vector<int>& slots, double seconds)
 {
   // The window's shader cache keeps the program; a quad that is kept would outlive it.
   const std::string source = this->GetSource(scene.Requirements);
@@ -146,15 +149,45 @@ bool ShadowCache::Fill(vtkOpenGLRenderWindow* window, const DrawnScene& scene,
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_SCISSOR_TEST);
-  for (const int slot : slots)
-  {
-    this->FillLight({ window, &quad, &scene }, slot);
-    this->Held[slot] = scene.ShadowCasters[slot];
-    ++this->NumberOfUpdates;
-  }
+  this->FillLights({ window, &quad, &scene }, slots, seconds);
   this->Attach(0, 0);
   state->PopFramebufferBindings();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void ShadowCache::FillLights(const Filling& filling, const std::vector<int>& slots, double seconds)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const auto isOver = [&]
+  {
+    if (seconds <= 0.0)
+    {
+      return false;
+    }
+    filling.Window->WaitForCompletion();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
+      seconds;
+  };
+  for (const int slot : slots)
+  {
+    const ShadowCaster& caster = filling.Scene->ShadowCasters[slot];
+    const bool goesOn = this->Begun && this->Begun->Slot == slot && this->Begun->Caster == caster;
+    const int parts = this->CountParts();
+    this->Held[slot].reset();
+    for (int part = goesOn ? this->Begun->NextPart : 0; part < parts; ++part)
+    {
+      this->FillPart(filling, slot, part);
+      if (part + 1 < parts && isOver())
+      {
+        this->Begun = { slot, caster, part + 1 };
+        return;
+      }
+    }
+    this->Begun.reset();
+    this->Held[slot] = caster;
+    ++this->NumberOfUpdates;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -239,6 +272,7 @@ void ShadowCache::Release(vtkOpenGLRenderWindow* window)
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Attached = 0;
   this->Held.clear();
+  this->Begun.reset();
 }
 
 }

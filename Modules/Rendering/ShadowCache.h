@@ -36,10 +36,12 @@ class ShadowCache
 public:
   virtual ~ShadowCache() = default;
 
-  /// Computes what has changed since the last call. The volume's textures are active. False where
-  /// the program could not be built.
-  bool Update(
-    vtkOpenGLRenderWindow* window, const DrawnScene& scene, const VolumeTextures& textures);
+  /// Computes what has changed since the last call, or goes on with it, for about so many seconds;
+  /// 0: all of it. The volume's textures are active. False where the program could not be built.
+  bool Update(vtkOpenGLRenderWindow* window, const DrawnScene& scene,
+    const VolumeTextures& textures, double seconds);
+  /// Whether the last call computed all that there was.
+  bool IsComplete() const { return !this->Begun; }
 
   void Activate();
   void Deactivate();
@@ -47,7 +49,7 @@ public:
 
   /// How many lights were computed since this object was made.
   int GetNumberOfUpdates() const { return this->NumberOfUpdates; }
-  /// What the last computation took by the clock, until OpenGL was done.
+  /// What the last computation took by the clock, until OpenGL was done, in all calls together.
   double GetUpdateSeconds() const { return this->UpdateSeconds; }
   std::size_t GetBytes() const { return this->Texture->GetHandle() ? this->Bytes : 0; }
 
@@ -76,7 +78,9 @@ protected:
   virtual std::string GetSource(const LightingRequirements& requirements) const = 0;
   /// Of the framebuffer.
   virtual std::array<int, 2> GetSize() const = 0;
-  virtual void FillLight(const Filling& filling, int slot) = 0;
+  /// Parts that a light's shadow is computed in, one after another.
+  virtual int CountParts() const = 0;
+  virtual void FillPart(const Filling& filling, int slot, int part) = 0;
 
   /// Keeps room for as many lights in a texture of that layout. Where the layout is as before,
   /// lights that stay are as they were. No lights give the texture up. False where the graphics
@@ -97,13 +101,23 @@ protected:
   vtkNew<vtkTextureObject> Texture;
 
 private:
+  /// A light whose shadow is not complete yet.
+  struct Beginning
+  {
+    int Slot = 0;
+    ShadowCaster Caster;
+    int NextPart = 0;
+  };
+
   bool Create(vtkOpenGLRenderWindow* window);
   bool Fill(vtkOpenGLRenderWindow* window, const DrawnScene& scene, const VolumeTextures& textures,
-    const std::vector<int>& slots);
+    const std::vector<int>& slots, double seconds);
+  void FillLights(const Filling& filling, const std::vector<int>& slots, double seconds);
 
   TextureLayout Layout;
   ShadowingMatter Matter;
   std::vector<std::optional<ShadowCaster>> Held;
+  std::optional<Beginning> Begun;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::size_t Bytes = 0;
   int Attached = 0;

@@ -33,7 +33,13 @@ std::array<int, 2> ShadowMaps::GetSize() const
 }
 
 //------------------------------------------------------------------------------
-void ShadowMaps::FillLight(const Filling& filling, int slot)
+int ShadowMaps::CountParts() const
+{
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void ShadowMaps::FillPart(const Filling& filling, int slot, int)
 {
   // Of the root of the optical depth over the largest: of a soft shadow's visibility a hundredth.
   constexpr double tolerance = 0.005;

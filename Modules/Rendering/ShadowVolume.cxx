@@ -35,7 +35,13 @@ std::array<int, 2> ShadowVolume::GetSize() const
 }
 
 //------------------------------------------------------------------------------
-void ShadowVolume::FillLight(const Filling& filling, int slot)
+int ShadowVolume::CountParts() const
+{
+  return this->Plan.Texels[2];
+}
+
+//------------------------------------------------------------------------------
+void ShadowVolume::FillPart(const Filling& filling, int slot, int part)
 {
   constexpr int lightsPerBlock = 4;
   const auto& texels = this->Plan.Texels;
@@ -51,12 +57,9 @@ void ShadowVolume::FillLight(const Filling& filling, int slot)
   const int component = slot % lightsPerBlock;
   filling.Window->GetState()->vtkglColorMask(
     component == 0, component == 1, component == 2, component == 3);
-  for (int slice = 0; slice < texels[2]; ++slice)
-  {
-    this->Attach(slice + slot / lightsPerBlock * texels[2], 1);
-    program->SetUniformf("scene_shadowSlice", static_cast<float>(slice));
-    this->Draw(filling, 1.0);
-  }
+  this->Attach(part + slot / lightsPerBlock * texels[2], 1);
+  program->SetUniformf("scene_shadowSlice", static_cast<float>(part));
+  this->Draw(filling, 1.0);
 }
 
 //------------------------------------------------------------------------------

@@ -51,11 +51,24 @@ std::array<ShadowCache*, 3> VolumeDrawing::GetCaches()
 }
 
 //------------------------------------------------------------------------------
+std::array<const ShadowCache*, 3> VolumeDrawing::GetCaches() const
+{
+  return { &this->VolumeOfShadows, &this->MapsOfShadows, &this->LayersOfShadows };
+}
+
+//------------------------------------------------------------------------------
+bool VolumeDrawing::AreShadowsComplete() const
+{
+  const auto caches = this->GetCaches();
+  return std::all_of(
+    caches.begin(), caches.end(), [](const ShadowCache* cache) { return cache->IsComplete(); });
+}
+
+//------------------------------------------------------------------------------
 ShadowReport VolumeDrawing::GetShadowReport() const
 {
   ShadowReport report;
-  for (const ShadowCache* cache : std::initializer_list<const ShadowCache*>{
-         &this->VolumeOfShadows, &this->MapsOfShadows, &this->LayersOfShadows })
+  for (const ShadowCache* cache : this->GetCaches())
   {
     report.Bytes += cache->GetBytes();
     report.Updates += cache->GetNumberOfUpdates();
@@ -70,7 +83,8 @@ bool VolumeDrawing::UpdateShadows()
 {
   const auto caches = this->GetCaches();
   return std::all_of(caches.begin(), caches.end(),
-    [&](ShadowCache* cache) { return cache->Update(this->Window, *this->Scene, this->Textures); });
+    [&](ShadowCache* cache)
+    { return cache->Update(this->Window, *this->Scene, this->Textures, this->ShadowSeconds); });
 }
 
 //------------------------------------------------------------------------------
@@ -108,10 +122,12 @@ std::string VolumeDrawing::DrawWith(vtkRenderer* renderer, const DrawnScene& sce
   this->Box.Place(scene.Placement);
   this->Pass->ExpectDraw();
   this->Textures.Activate();
-  if (!this->UpdateShadows())
+  const bool updated = this->UpdateShadows();
+  if (!updated || !this->AreShadowsComplete())
   {
     this->Textures.Deactivate();
-    return noProgram;
+    this->Scene = nullptr;
+    return updated ? "" : noProgram;
   }
   this->Environment.Activate(this->Window);
   for (ShadowCache* cache : this->GetCaches())

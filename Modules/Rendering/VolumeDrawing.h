@@ -60,6 +60,10 @@ public:
   ShadowMaps& GetMapsOfShadows() { return this->MapsOfShadows; }
   OpacityMaps& GetLayersOfShadows() { return this->LayersOfShadows; }
   ShadowReport GetShadowReport() const;
+  /// About how long a draw may compute shadows that are kept; 0: until they are complete. One that
+  /// leaves them incomplete draws nothing.
+  void SetShadowSeconds(double seconds) { this->ShadowSeconds = seconds; }
+  bool AreShadowsComplete() const;
   EnvironmentTextures& GetEnvironment() { return this->Environment; }
   const vtkIlluminationPass* GetPass() const { return this->Pass; }
 
@@ -75,6 +79,7 @@ private:
   };
 
   std::array<ShadowCache*, 3> GetCaches();
+  std::array<const ShadowCache*, 3> GetCaches() const;
   bool UpdateShadows();
   /// With the program that is selected, and all its textures active for `draw`, which is told the
   /// viewport and returns false without float pictures.
@@ -96,6 +101,7 @@ private:
   const DrawnScene* Scene = nullptr;
   Part Current;
   bool Gathering = false;
+  double ShadowSeconds = 0.0;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
 };
 

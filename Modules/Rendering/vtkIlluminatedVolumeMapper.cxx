@@ -58,6 +58,7 @@ void vtkIlluminatedVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* vol
 {
   this->Internal->Messages.clear();
   this->Internal->Counts = {};
+  this->Internal->ShadowsComplete = true;
   this->MoveTo(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   int cellFlag = 0;
   vtkDataArray* scalars = vtkAbstractMapper::GetScalars(this->GetDataSetInput(), this->ScalarMode,
@@ -114,6 +115,7 @@ void vtkIlluminatedVolumeMapper::DrawIlluminated(
   request.Moving = this->AutoAdjustSampleDistances &&
     InteractiveResolution::IsInteractive(volume->GetAllocatedRenderTime());
   std::vector<std::string> messages;
+  internal.Drawing.SetShadowSeconds(this->ShadowUpdateTime);
   const std::string fault =
     PreparePicture(request, internal.Scene, internal.Shadows, internal.Drawing, messages);
   for (const std::string& message : messages)
@@ -189,6 +191,7 @@ void vtkIlluminatedVolumeMapper::Draw(vtkRenderer* renderer)
   Internals& internal = *this->Internal;
   const std::string fault =
     internal.Drawing.Draw(renderer, internal.Scene, internal.ImageSampleDistance);
+  internal.ShadowsComplete = internal.Drawing.AreShadowsComplete();
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);

@@ -132,10 +132,10 @@ public:
 
   ///@{
   /**
-   * Texels of kept shadows to a smallest voxel edge. Where slices lie farther apart, a volume has up
-   * to two texels from slice to slice. It falls where the memory limit or OpenGL's largest texture
-   * ask for it, and a message says so; while a light moves in pictures that adjust to an update
-   * rate it is halved, until all is still. Range: 0.001 to 16. Default: 1.
+   * Texels of kept shadows to a smallest voxel edge. Where slices lie farther apart, a volume has
+   * up to two texels from slice to slice. It falls where the memory limit or OpenGL's largest
+   * texture ask for it, and a message says so; while a light moves in pictures that adjust to an
+   * update rate it is halved, until all is still. Range: 0.001 to 16. Default: 1.
    */
   vtkSetClampMacro(ShadowResolution, double, 1e-3, 16.0);
   vtkGetMacro(ShadowResolution, double);
@@ -158,6 +158,21 @@ public:
   vtkSetClampMacro(ShadowMemoryLimit, int, 1, VTK_INT_MAX);
   vtkGetMacro(ShadowMemoryLimit, int);
   ///@}
+
+  ///@{
+  /**
+   * About how many seconds of a Render() may go into shadows that are kept; 0: as many as it takes.
+   * Where they do not suffice, the volume is not drawn, and the next Render() goes on: for programs
+   * that answer events in between. Range: 0 to 1e30. Default: 0.
+   */
+  vtkSetClampMacro(ShadowUpdateTime, double, 0.0, 1e30);
+  vtkGetMacro(ShadowUpdateTime, double);
+  ///@}
+
+  /**
+   * Whether the last Render() had all shadows that are kept, and so drew the volume.
+   */
+  bool GetShadowsComplete() const;
 
   ///@{
   /**
@@ -366,6 +381,7 @@ protected:
   double ShadowResolution = 1.0;
   int ShadowNearSteps = 4;
   int ShadowMemoryLimit = 512;
+  double ShadowUpdateTime = 0.0;
   int GradientEstimator = CentralDifferences;
   int GradientTextureBits = 0;
   int OpticalModel = ByShade;

@@ -38,6 +38,7 @@ public:
   penumbra::InteractiveResolution Resolution;
   penumbra::RayCounts Counts;       ///< of the last frame
   double ImageSampleDistance = 1.0; ///< of the last frame
+  bool ShadowsComplete = true;      ///< in the last frame
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::vector<std::string> Messages;
   std::set<std::string> MessagesGiven;

@@ -57,6 +57,12 @@ double vtkIlluminatedVolumeMapper::GetActualShadowResolution() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkIlluminatedVolumeMapper::GetShadowsComplete() const
+{
+  return this->Internal->ShadowsComplete;
+}
+
+//------------------------------------------------------------------------------
 int vtkIlluminatedVolumeMapper::GetNumberOfShadowUpdates() const
 {
   return this->Internal->Drawing.GetShadowReport().Updates;
@@ -170,6 +176,7 @@ void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("ShadowResolution", this->ShadowResolution);
   print("ShadowNearSteps", this->ShadowNearSteps);
   print("ShadowMemoryLimit", this->ShadowMemoryLimit);
+  print("ShadowUpdateTime", this->ShadowUpdateTime);
   print("ShadowSampleDistance", this->ShadowSampleDistance);
   print("GradientEstimator", estimators[this->GradientEstimator]);
   print("GradientTextureBits", this->GradientTextureBits);
@@ -177,6 +184,7 @@ void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("RayCounting", this->RayCounting ? "On" : "Off");
   print("OpticalModel", models[this->OpticalModel]);
   print("ShadowTechniqueReason", this->GetShadowTechniqueReason());
+  print("ShadowsComplete", this->GetShadowsComplete() ? "Yes" : "No");
   print("ShadowBytes", this->GetShadowBytes());
   print("ActualShadowResolution", this->GetActualShadowResolution());
   print("ActualShadowNearSteps", this->GetActualShadowNearSteps());

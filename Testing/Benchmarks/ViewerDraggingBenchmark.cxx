@@ -1,5 +1,6 @@
 // Opens a scene, a volume or a folder in the viewer's window, drags the camera and then the
-// selected light round and round as a mouse does, and prints how many frames a second were drawn.
+// selected light round and round as a mouse does, and prints how many frames a second were drawn,
+// and how long the window did not answer while the whole picture followed.
 
 #include "DirectionBall.h"
 #include "MainWindow.h"
@@ -54,6 +55,20 @@ void Send(QWidget* widget, QEvent::Type type, const QPointF& place)
   QApplication::sendEvent(widget, &event);
 }
 
+// Waits for the whole picture. Returns the longest time without an answer to an event, in
+// milliseconds.
+qint64 WaitForPicture(const VolumeView* view)
+{
+  QElapsedTimer clock;
+  qint64 longest = 0;
+  QTimer beat;
+  QObject::connect(&beat, &QTimer::timeout, [&] { longest = std::max(longest, clock.restart()); });
+  clock.start();
+  beat.start(MillisecondsOfMouse);
+  WaitFor([view] { return view->IsRefined(); }, SecondsOfReading);
+  return longest;
+}
+
 void Drag(const char* what, QWidget* widget, VolumeView* view)
 {
   QElapsedTimer clock;
@@ -89,7 +104,8 @@ void Drag(const char* what, QWidget* widget, VolumeView* view)
             << mapper->GetImageSampleDistance() << " pixels" << std::endl;
   Send(widget, QEvent::MouseButtonRelease, place());
   QObject::disconnect(connection);
-  WaitFor([view] { return view->IsRefined(); }, SecondsOfReading);
+  std::cout << what << ": no answer for " << WaitForPicture(view) << " ms at most until it is whole"
+            << std::endl;
   WaitFor([] { return false; }, SecondsOfPause);
 }
 

@@ -24,6 +24,7 @@ TEST_CASE("A mapper prints all that it was told, enumerators by name")
   mapper->SetShadowResolution(0.75);
   mapper->SetShadowNearSteps(7);
   mapper->SetShadowMemoryLimit(99);
+  mapper->SetShadowUpdateTime(0.25);
   mapper->SetShadowSampleDistance(1.5);
   mapper->SetGradientEstimatorToSobel();
   mapper->SetGradientTextureBits(16);
@@ -31,10 +32,11 @@ TEST_CASE("A mapper prints all that it was told, enumerators by name")
   mapper->RayCountingOn();
   mapper->SetOpticalModelToEmission();
   const std::string printed = Print(mapper);
-  for (const char* line : { "ShadowTechnique: DeepMap\n", "ShadowTolerance: 2.5\n",
-         "ShadowResolution: 0.75\n", "ShadowNearSteps: 7\n", "ShadowMemoryLimit: 99\n",
-         "ShadowSampleDistance: 1.5\n", "GradientEstimator: Sobel\n", "GradientTextureBits: 16\n",
-         "SkipEmptySpace: Off\n", "RayCounting: On\n", "OpticalModel: Emission\n" })
+  for (const char* line :
+    { "ShadowTechnique: DeepMap\n", "ShadowTolerance: 2.5\n", "ShadowResolution: 0.75\n",
+      "ShadowNearSteps: 7\n", "ShadowMemoryLimit: 99\n", "ShadowUpdateTime: 0.25\n",
+      "ShadowSampleDistance: 1.5\n", "GradientEstimator: Sobel\n", "GradientTextureBits: 16\n",
+      "SkipEmptySpace: Off\n", "RayCounting: On\n", "OpticalModel: Emission\n" })
   {
     CHECK_THAT(printed, Catch::Matchers::ContainsSubstring(line));
   }
