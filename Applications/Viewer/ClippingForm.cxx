@@ -148,7 +148,7 @@ void AddPlanes(PropertyForm* form, SceneDocument* document, VolumeView* view, QA
   form->ShowLastWhen(HasPlane);
   form->AddVector({ QObject::tr("Plane through"),
                     QObject::tr("A point that the selected plane goes through, in the world") },
-    { -1e6, 1e6, 3 }, AccessToPlane(document, &ClippingPlaneDescription::Origin));
+    { -1e6, 1e6, 2 }, AccessToPlane(document, &ClippingPlaneDescription::Origin));
   form->ShowLastWhen(HasPlane);
   form->AddVector({ QObject::tr("Keeps towards"),
                     QObject::tr("The plane's normal: it points to the side that stays") },

@@ -10,6 +10,8 @@
 
 #include <vtkImageData.h>
 
+#include <cmath>
+
 namespace penumbra
 {
 namespace
@@ -25,12 +27,18 @@ QLabel* MakeLabel(QWidget* parent)
 
 QString Number(double number)
 {
-  return QString::number(number, 'g', 4);
+  return QString::number(number, 'g', std::abs(number) < 1000.0 ? 4 : 6);
+}
+
+QString Product(double x, double y, double z)
+{
+  const QString times = QString::fromUtf8("\u2009\u00d7\u2009"); // between thin spaces
+  return QStringList{ Number(x), Number(y), Number(z) }.join(times);
 }
 
 QString RowOf(const QString& name, const QString& value)
 {
-  return QString("<tr><td style='padding-right:10px; color:gray'>%1</td><td>%2</td></tr>")
+  return QString("<tr><td style='padding-right:6px; color:gray'>%1</td><td>%2</td></tr>")
     .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
 }
 
@@ -42,7 +50,6 @@ QString FactsOf(vtkImageData* image, const SceneDescription& scene)
   const QString units = QString::fromStdString(TextField(image, "Units"));
   const QString modality = QString::fromStdString(TextField(image, "Modality"));
   const double mebibytes = image->GetActualMemorySize() / 1024.0;
-  const QString times = QString(QChar(0xd7));
   // Of what the readers tell, only DICOM's lengths are known.
   const QString lengths = modality.isEmpty() ? QString() : QObject::tr(" mm");
   QString rows =
@@ -51,16 +58,10 @@ QString FactsOf(vtkImageData* image, const SceneDescription& scene)
   {
     rows += RowOf(QObject::tr("Modality"), modality);
   }
-  rows += RowOf(QObject::tr("Voxels"),
-    QString("%1 %4 %2 %4 %3").arg(dimensions[0]).arg(dimensions[1]).arg(dimensions[2]).arg(times));
-  rows += RowOf(QObject::tr("Spacing"),
-    QString("%1 %4 %2 %4 %3")
-        .arg(Number(spacing[0]), Number(spacing[1]), Number(spacing[2]), times) +
-      lengths);
+  rows += RowOf(QObject::tr("Voxels"), Product(dimensions[0], dimensions[1], dimensions[2]));
+  rows += RowOf(QObject::tr("Spacing"), Product(spacing[0], spacing[1], spacing[2]) + lengths);
   rows += RowOf(QObject::tr("Size"),
-    QString("%1 %4 %2 %4 %3")
-        .arg(Number(spacing[0] * dimensions[0]), Number(spacing[1] * dimensions[1]),
-          Number(spacing[2] * dimensions[2]), times) +
+    Product(spacing[0] * dimensions[0], spacing[1] * dimensions[1], spacing[2] * dimensions[2]) +
       lengths);
   rows += RowOf(QObject::tr("Values"),
     QObject::tr("%1 to %2 %3").arg(Number(range[0]), Number(range[1]), units).trimmed());
@@ -78,9 +79,11 @@ InformationPanel::InformationPanel(SceneDocument* document, QWidget* parent)
   , Facts(MakeLabel(this))
   , Notes(MakeLabel(this))
 {
+  this->Facts->setObjectName("volumeFacts");
   this->Facts->setAccessibleName(tr("Facts about the volume"));
   this->Notes->setAccessibleName(tr("Notes on the volume"));
   auto* const layout = new QVBoxLayout(this);
+  layout->setContentsMargins(9, 9, 2, 9);
   layout->addWidget(this->Facts);
   layout->addWidget(this->Notes);
   layout->addStretch();

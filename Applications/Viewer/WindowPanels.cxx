@@ -20,7 +20,7 @@ namespace penumbra
 namespace
 {
 constexpr int RightWidth = 345;
-constexpr int LeftWidth = 240;
+constexpr int LeftWidth = 260;
 constexpr int TreeHeight = 260;
 constexpr int InformationHeight = 440;
 }

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLabel>
 
 #include <vtkCallbackCommand.h>
 #include <vtkImageData.h>
@@ -48,6 +49,19 @@ TEST_CASE("Canceling leaves what was open")
   CHECK_FALSE(session.Window.GetOpening()->IsReading());
   // What was read nevertheless is not shown.
   CHECK_FALSE(WaitFor([&] { return session.Document.GetOpenedFile() != session.Files.File; }, 1.0));
+}
+
+TEST_CASE("Facts about the volume are told", "[information]")
+{
+  ViewerSession session;
+  REQUIRE(session.Open(session.Files.File));
+  const std::string facts =
+    session.Find<QLabel>("volumeFacts")->text().remove(QChar(0x2009)).toStdString();
+  for (const char* fact :
+    { ">shells.mhd<", ">32\u00d732\u00d732<", ">1\u00d71\u00d71<", ">uint8<" })
+  {
+    CHECK_THAT(facts, Catch::Matchers::Contains(fact));
+  }
 }
 
 TEST_CASE("Of what is opened before the last was read, the last is shown")
