@@ -57,8 +57,9 @@ TEST_CASE("Facts about the volume are told", "[information]")
   REQUIRE(session.Open(session.Files.File));
   const std::string facts =
     session.Find<QLabel>("volumeFacts")->text().remove(QChar(0x2009)).toStdString();
-  for (const char* fact :
-    { ">shells.mhd<", ">32\u00d732\u00d732<", ">1\u00d71\u00d71<", ">uint8<" })
+  for (const char* fact : { "File</td><td>shells.mhd<", "Voxels</td><td>32\u00d732\u00d732<",
+         "Spacing</td><td>1\u00d71\u00d71<", "Size</td><td>32\u00d732\u00d732<",
+         "Type</td><td>uint8<" })
   {
     CHECK_THAT(facts, Catch::Matchers::Contains(fact));
   }
