@@ -66,6 +66,7 @@ std::vector<RequirementEntry> LightingRequirements::GetEntries() const
     Choice("optical model", GetName(this->Optics), true),
     Choice("opacity", GetLookupName(this->Opacity), true),
     Flag("pre-integration", this->PreIntegrated),
+    Flag("halved steps", this->HalvedSteps),
     Flag("empty-space skipping", this->EmptySpaceSkipping),
     Flag("colour", this->NeedsColor()),
     Flag("gradient opacity", this->GradientOpacity),

@@ -55,7 +55,7 @@ auto AsTuple(const LightingRequirements& r)
   return std::tie(r.Optics, r.Lights, r.Technique, r.NearShadowRays, r.NearShadowSteps,
     r.Reflection, r.Gradient, r.GradientTexture, r.NoiseFading, r.Diffuse, r.Specular,
     r.TwoSidedLighting, r.Attenuation, r.GradientOpacity, r.ClippingPlanes, r.Cropping, r.Mask,
-    r.Opacity, r.PreIntegrated, r.EmptySpaceSkipping, r.Counting);
+    r.Opacity, r.PreIntegrated, r.HalvedSteps, r.EmptySpaceSkipping, r.Counting);
 }
 
 // Which terms a material reflects, whatever the light.

@@ -45,8 +45,8 @@ constexpr int NumberOfShadowKinds = 3;
 
 /// How shadows are computed. Rays marches a shadow ray from every sample that needs one. The others
 /// look up what was computed beforehand: Volume over the whole volume; along the rays of each light
-/// DeepMap, by functions of a few nodes, and OpacityMap, in layers; Map, for hard shadows, where these
-/// rays are first hidden.
+/// DeepMap, by functions of a few nodes, and OpacityMap, in layers; Map, for hard shadows, where
+/// these rays are first hidden.
 enum class ShadowTechnique
 {
   Rays,
@@ -142,6 +142,8 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   /// Steps take the mean of the transfer functions over all scalars between their ends; else the
   /// functions at the sample in their middle.
   bool PreIntegrated = false;
+  /// Lit steps that much is seen of are lit in two halves.
+  bool HalvedSteps = false;
   /// Rays leap over bricks without visible matter.
   bool EmptySpaceSkipping = false;
   /// What rays do is counted in place of colours. No scene needs it; it is asked for.

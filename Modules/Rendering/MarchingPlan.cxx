@@ -40,8 +40,10 @@ double CountIterationsPerStep(const MarchingTask& task, double shadowSteps)
   const double near =
     CountIterationsPerRay(task, std::min(1.0 * task.ShadowNearSteps, shadowSteps));
   const double lookUp = task.ShadowMaps ? IterationsPerMapLookUp : 0.0;
-  return 3.0 + 2.0 * task.LookupIterations + task.Lights + task.ShadowedLights * perRay +
+  const double marched = 2.0 + task.LookupIterations;
+  const double lit = 1.0 + task.LookupIterations + task.Lights + task.ShadowedLights * perRay +
     task.LookedUpShadows * (near + lookUp);
+  return marched + (task.HalvedSteps ? 2.0 : 1.0) * lit;
 }
 
 // Of a fragment of what is looked up.

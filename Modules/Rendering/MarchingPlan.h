@@ -21,6 +21,7 @@ struct MarchingTask
   double Diagonal = 0.0;             ///< longest way through the visible box, own lengths
   double SampleDistance = 0.0;       ///< as asked, more than 0
   double ShadowSampleDistance = 0.0; ///< as asked, more than 0
+  bool HalvedSteps = false;          ///< a view step may be lit twice
   int Lights = 0;
   int ShadowedLights = 0;   ///< whose rays are marched whole
   int LookedUpShadows = 0;  ///< lights whose rays are marched for some steps only

@@ -89,6 +89,8 @@
 #include "GlslSpecularFresnel.h"
 #include "GlslSpecularNone.h"
 #include "GlslSpecularTerm.h"
+#include "GlslStepHalves.h"
+#include "GlslStepWhole.h"
 #include "GlslTransmittance.h"
 #include "GlslViewRay.h"
 #include "GlslViewRaySteps.h"
@@ -285,6 +287,8 @@ const Snippet PictureSnippets[] = {
   { GlslViewRaySteps, Always },
   { GlslSegmentWhole, [](const Needs& n, bool) { return n.NeedsNormal() && !n.PreIntegrated; } },
   { GlslSegmentPieces, [](const Needs& n, bool) { return n.NeedsNormal() && n.PreIntegrated; } },
+  { GlslStepWhole, [](const Needs& n, bool) { return n.NeedsNormal() && !n.HalvedSteps; } },
+  { GlslStepHalves, [](const Needs& n, bool) { return n.NeedsNormal() && n.HalvedSteps; } },
   { GlslMarchSamples, [](const Needs& n, bool) { return !n.NeedsNormal(); } },
   { GlslMarchToMatter, [](const Needs& n, bool) { return n.NeedsNormal(); } },
   { GlslViewRay, Always },

@@ -29,7 +29,7 @@ SampleDistances GetSampleDistances(vtkIlluminatedVolumeMapper* mapper);
 
 /// Plans the marching, once it is known which shadows are kept. nearSteps: steps of a kept shadow's
 /// ray that are marched. Messages say what could not be as asked, one sentence each.
-void PrepareSteps(const SampleDistances& distances, int nearSteps, DrawnScene& scene,
+void PrepareSteps(const SampleDistances& asked, int nearSteps, DrawnScene& scene,
   const VolumeTextures& textures, std::vector<std::string>& messages);
 
 }

@@ -28,6 +28,7 @@ LightingRequirements MakeEverything()
   everything.Optics = OpticalModel::SingleScattering;
   everything.Diffuse = everything.Specular = true;
   everything.GradientTexture = everything.NoiseFading = everything.PreIntegrated = true;
+  everything.HalvedSteps = true;
   everything.EmptySpaceSkipping = true;
   everything.TwoSidedLighting = everything.Attenuation = true;
   everything.GradientOpacity = everything.Mask = true;
@@ -41,11 +42,12 @@ LightingRequirements MakeEverything()
 TEST_CASE("A bare volume leaves out all but its opacity")
 {
   CHECK(LightingRequirements().GetLeftOut() ==
-    Names{ "pre-integration", "empty-space skipping", "gradient opacity", "clipping planes",
-      "cropping", "mask", "shading", "gradient", "gradient texture", "reflection model",
-      "diffuse term", "specular term", "fresnel term", "preferred direction", "environment maps",
-      "noise fading", "two-sided lighting", "directional lights", "point lights", "spot lights",
-      "attenuation", "soft shadows", "hard shadows", "shadow technique", "shadow rays" });
+    Names{ "pre-integration", "halved steps", "empty-space skipping", "gradient opacity",
+      "clipping planes", "cropping", "mask", "shading", "gradient", "gradient texture",
+      "reflection model", "diffuse term", "specular term", "fresnel term", "preferred direction",
+      "environment maps", "noise fading", "two-sided lighting", "directional lights",
+      "point lights", "spot lights", "attenuation", "soft shadows", "hard shadows",
+      "shadow technique", "shadow rays" });
 }
 
 TEST_CASE("A scene that needs everything leaves out only what belongs to other reflection models")
@@ -108,7 +110,7 @@ TEST_CASE("Absorption alone leaves out the colours")
   LightingRequirements needs;
   CHECK(GetValue(needs, "optical model") == "absorption-emission");
   needs.Optics = OpticalModel::Absorption;
-  CHECK(needs.GetLeftOut().at(2) == "colour");
+  CHECK(needs.GetLeftOut().at(3) == "colour");
   needs.Optics = OpticalModel::Emission;
   CHECK(GetValue(needs, "colour") == "yes");
 }

@@ -34,6 +34,7 @@ const std::vector<Change> changes = {
   [](LightingRequirements& r) { r.Mask = true; },
   [](LightingRequirements& r) { r.Opacity = TransferFunctionLookup::Points; },
   [](LightingRequirements& r) { r.PreIntegrated = true; },
+  [](LightingRequirements& r) { r.HalvedSteps = true; },
   [](LightingRequirements& r) { r.EmptySpaceSkipping = true; },
   [](LightingRequirements& r) { r.Counting = true; },
 };
@@ -53,16 +54,16 @@ TEST_CASE("Requirements are equal when every field is, and differ when any does"
   const LightingRequirements base;
   const auto& [optics, lights, technique, near, nearSteps, reflection, gradient, gradientTexture,
     fading, diffuse, specular, sides, attenuation, gradientOpacity, planes, cropping, mask, opacity,
-    preIntegrated, emptySpace, counting] = base;
+    preIntegrated, halvedSteps, emptySpace, counting] = base;
   CHECK_FALSE((diffuse || specular || sides || attenuation || gradientOpacity || mask));
   CHECK_FALSE((gradientTexture || fading || preIntegrated || emptySpace || near || nearSteps > 0));
-  CHECK_FALSE(counting);
+  CHECK_FALSE((counting || halvedSteps));
   CHECK(optics == OpticalModel::AbsorptionEmission);
   CHECK(
     (planes == 0 && cropping == CroppingKind::None && opacity == TransferFunctionLookup::Table));
   CHECK((lights == decltype(base.Lights){} && static_cast<int>(technique) == 0 &&
     static_cast<int>(reflection) == 0 && static_cast<int>(gradient) == 0));
-  CHECK(changes.size() == 21);
+  CHECK(changes.size() == 22);
 
   for (const Change& change : changes)
   {

@@ -142,6 +142,7 @@ LightingRequirements SceneOptions::Expected() const
   {
     this->ExpectReflection(needs);
   }
+  needs.HalvedSteps = needs.NeedsNormal() && this->halvedSteps;
   if (needs.NeedsGradient())
   {
     needs.Gradient = this->gradient;
@@ -214,7 +215,7 @@ void SetOptions(IlluminatedScene& scene, const SceneOptions& options)
   scene.Mapper->SetMaskInput(options.mask ? MakeMask() : nullptr);
   scene.Mapper->SetMaskTypeToBinary();
   // Coarse, for these pictures show that something is drawn, not what.
-  scene.Mapper->SetSampleDistance(1.5f);
+  scene.Mapper->SetSampleDistance(options.halvedSteps ? 0.5f : 1.5f);
   scene.Mapper->SetImageSampleDistance(options.gathering ? 1.5f : 1.0f);
 }
 

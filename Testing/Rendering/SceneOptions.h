@@ -35,6 +35,8 @@ struct SceneOptions
   TransferFunctionLookup opacity = TransferFunctionLookup::Points;
   /// Of a table: it jumps within a hundredth of the data's range.
   bool steep = false;
+  /// Of lit steps: they are short enough for it.
+  bool halvedSteps = true;
   /// Half of the volume is empty.
   bool emptySpace = true;
   /// Draws to a buffer of its own first.

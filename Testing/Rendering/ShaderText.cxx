@@ -12,6 +12,7 @@ const std::map<std::string, std::vector<std::string>> Symbols = {
   { "optical model", { "compositingWeight(" } },
   { "opacity", { "RayEnd rayEndAt(" } },
   { "pre-integration", { "scene_integralRounding", "meanExtinction" } },
+  { "halved steps", { "HalvedWeight", "bool second" } },
   { "empty-space skipping", { "scene_emptyCubes", "stepsToFarSide" } },
   { "gradient opacity", { "scene_gradientOpacity", "scene_gradientToTable" } },
   { "clipping planes", { "scene_clippingPlanes" } },

@@ -20,7 +20,8 @@ double CountIterationsPerStep(const MarchingTask& task, double shadowSampleDista
   const double shadowSteps = std::ceil(task.Diagonal / shadowSampleDistance) + 1.0;
   const double shadowRay =
     task.ClippingPlanes + std::ceil(shadowSteps / 4.0) * (1.0 + 4.0 * task.LookupIterations);
-  return 3.0 + 2.0 * task.LookupIterations + task.Lights + task.ShadowedLights * shadowRay;
+  const double lit = 1.0 + task.LookupIterations + task.Lights + task.ShadowedLights * shadowRay;
+  return 2.0 + task.LookupIterations + (task.HalvedSteps ? 2.0 : 1.0) * lit;
 }
 
 MarchingTask MakeTask(double diagonal, double sampleDistance, double shadowSampleDistance)
@@ -50,6 +51,7 @@ void ForEachTask(const std::function<void(const MarchingTask&)>& check)
             task.Lights = shadowedLights + 1;
             task.LookupIterations = lookupIterations;
             task.ClippingPlanes = 6;
+            task.HalvedSteps = lookupIterations > 0;
             INFO("diagonal " << diagonal << ", " << steps << " steps, " << shadowSteps
                              << " shadow steps, " << shadowedLights << " shadowed lights, search "
                              << lookupIterations);

@@ -52,21 +52,22 @@ const std::vector<Omission> Omissions = {
       RemoveLights(options, ShadowKind::Soft);
       RemoveLights(options, ShadowKind::Hard);
     } },
+  { { "halved steps" }, [](SceneOptions& options) { options.halvedSteps = false; } },
   { { "gradient texture" }, [](SceneOptions& options) { options.gradientTexture = false; } },
   { { "noise fading" }, [](SceneOptions& options) { options.noiseFading = false; } },
-  { { "gradient opacity", "shading", "gradient", "gradient texture", "reflection model",
-      "diffuse term", "specular term", "noise fading", "two-sided lighting", "directional lights",
-      "point lights", "spot lights", "attenuation", "soft shadows", "hard shadows",
-      "shadow technique", "shadow rays" },
+  { { "halved steps", "gradient opacity", "shading", "gradient", "gradient texture",
+      "reflection model", "diffuse term", "specular term", "noise fading", "two-sided lighting",
+      "directional lights", "point lights", "spot lights", "attenuation", "soft shadows",
+      "hard shadows", "shadow technique", "shadow rays" },
     [](SceneOptions& options)
     {
       options.optics = OpticalModel::AbsorptionEmission;
       options.gradientOpacity = false;
     } },
-  { { "colour", "gradient opacity", "shading", "gradient", "gradient texture", "reflection model",
-      "diffuse term", "specular term", "noise fading", "two-sided lighting", "directional lights",
-      "point lights", "spot lights", "attenuation", "soft shadows", "hard shadows",
-      "shadow technique", "shadow rays" },
+  { { "halved steps", "colour", "gradient opacity", "shading", "gradient", "gradient texture",
+      "reflection model", "diffuse term", "specular term", "noise fading", "two-sided lighting",
+      "directional lights", "point lights", "spot lights", "attenuation", "soft shadows",
+      "hard shadows", "shadow technique", "shadow rays" },
     [](SceneOptions& options)
     {
       options.optics = OpticalModel::Absorption;

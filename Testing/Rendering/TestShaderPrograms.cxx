@@ -17,7 +17,7 @@ constexpr int LightOptions = NumberOfLightKinds * NumberOfShadowKinds;
 std::vector<int> GetLitLevels()
 {
   std::vector<int> levels(LightOptions, 3);
-  levels.insert(levels.end(), { 3, 2, 2, 6, 4, 2, 2, 2, 3, 3, 2, 3, 2, 2, 4, 3 });
+  levels.insert(levels.end(), { 3, 2, 2, 6, 4, 2, 2, 2, 3, 3, 2, 3, 2, 2, 4, 3, 2 });
   return levels;
 }
 
@@ -62,6 +62,7 @@ SceneOptions MakeLitOptions(const Combination& combination)
   // None, in a row, in a loop.
   constexpr int nearSteps[] = { 0, 4, 20 };
   options.nearShadowSteps = nearSteps[values[15]];
+  options.halvedSteps = values[16] != 0;
   return options;
 }
 

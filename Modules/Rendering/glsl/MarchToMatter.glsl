@@ -1,5 +1,5 @@
-// Shading is dear: each round marches and leaps on to the next sample that has any matter before it
-// shades that.
+// Shading is dear: each round marches and leaps on to the next step that has any matter before it
+// shades that. The second half of a halved step is a round of its own.
 
 vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
 {
@@ -7,28 +7,29 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
   int index = first;
   index += emptySteps(stepMiddle(ray, index), segment);
   RayEnd rayEnd = rayEndAt(ray.entry + float(index) * segment);
-  while (index < last && accumulated.a < OpaqueEnough)
+  LitStep lit;
+  bool halfLeft = false;
+  while ((index < last || halfLeft) && accumulated.a < OpaqueEnough)
   {
     vec3 position;
-    float stepLength;
     SegmentMatter matter;
     float depth = 0.0;
-    while (index < last && depth <= 0.0)
+    while (index < last && depth <= 0.0 && !halfLeft)
     {
-      stepLength = stepLengthOf(ray, index);
-      position = stepMiddle(ray, index);
+      lit = LitStep(rayEnd, stepMiddle(ray, index), stepLengthOf(ray, index));
+      position = lit.middle;
       countSample();
-      depth = segmentDepth(rayEnd, position, ray.direction, stepLength, matter);
+      depth = segmentDepth(rayEnd, position, ray.direction, lit.length, matter);
       ++index;
       int leap = emptySteps(stepMiddle(ray, index), segment);
       index += leap;
       rayEnd = rayEndAfterLeap(rayEnd, leap, ray.entry + float(index) * segment);
     }
+    takeHalf(accumulated, ray.direction, halfLeft, lit, position, matter, depth);
     if (depth > 0.0)
     {
       countShadedSample();
-      SeenSegment seen =
-        seenSegment(accumulated, matter, position, ray.direction * stepLength);
+      SeenSegment seen = seenSegment(accumulated, matter, position, ray.direction * lit.length);
       vec3 color = shadedColor(seen.position, seen.color, ray.view);
       accumulated += seen.weight * vec4(color, CompositedAlpha);
     }
