@@ -60,8 +60,13 @@ void ShowKeys(QWidget* parent)
                 "<tr><td><b>Ctrl+L</b></td><td>add a directional light</td></tr>"
                 "<tr><td><b>Ctrl+Shift+L</b></td><td>remove the selected light</td></tr>"
                 "<tr><td><b>Arrow keys on the ball</b></td><td>turn the light</td></tr>"
+                "<tr><td><b>Space in a list of lights</b></td><td>switch the light on or "
+                "off</td></tr>"
+                "<tr><td><b>Right button in the chart</b></td><td>move and stretch all "
+                "points</td></tr>"
                 "<tr><td><b>Ctrl+Z, Ctrl+Y</b></td><td>undo, redo</td></tr>"
                 "<tr><td><b>Ctrl+O, Ctrl+Shift+O</b></td><td>open a file, a folder</td></tr>"
+                "<tr><td><b>Esc</b></td><td>cancel what is being read</td></tr>"
                 "<tr><td><b>Ctrl+S, Ctrl+P, Ctrl+C</b></td><td>save the scene, save a picture, "
                 "copy the picture</td></tr></table>"));
 }

@@ -180,12 +180,14 @@ bool FileActions::SaveTo(const QString& file)
 //------------------------------------------------------------------------------
 bool FileActions::MayDiscardChanges()
 {
-  if (!this->Window->GetDocument()->HasUnsavedChanges())
+  const SceneDocument* document = this->Window->GetDocument();
+  if (!document->HasUnsavedChanges())
   {
     return true;
   }
   const auto answer = QMessageBox::question(this->Window, tr("Unsaved changes"),
-    tr("The scene has changes that are not saved."),
+    tr("The scene \"%1\" has changes that are not saved. What is discarded is lost.")
+      .arg(document->GetName()),
     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && this->Save());
 }

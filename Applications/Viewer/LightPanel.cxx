@@ -1,6 +1,7 @@
 #include "LightPanel.h"
 
 #include "DirectionBall.h"
+#include "EyeStyle.h"
 #include "LightEdits.h"
 #include "LightForms.h"
 #include "PanelButton.h"
@@ -50,8 +51,9 @@ LightPanel::LightPanel(SceneDocument* document, VolumeView* view, QWidget* paren
   this->setObjectName("lightPanel");
   this->List->setObjectName("lightList");
   this->List->setAccessibleName(tr("Lights"));
-  this->List->setMaximumHeight(120);
-  this->List->setToolTip(tr("The lights of the scene; unchecked ones are off."));
+  this->List->setMaximumHeight(100);
+  this->List->setStyle(new EyeStyle(this->List));
+  this->List->setToolTip(tr("The lights of the scene; those with a closed eye are off."));
   this->MakeActions();
   auto* const layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
@@ -133,10 +135,10 @@ QWidget* LightPanel::MakePages()
   auto* const pages = new QTabWidget(this);
   auto* const simple = new QWidget;
   auto* const layout = new QVBoxLayout(simple);
-  auto* const hint =
-    new QLabel(tr("Drag the light around the ball; in the ring it shines from behind:"), simple);
-  hint->setWordWrap(true);
-  layout->addWidget(hint);
+  this->Hint = new QLabel(simple);
+  this->Hint->setObjectName("lightHint");
+  this->Hint->setWordWrap(true);
+  layout->addWidget(this->Hint);
   this->Ball = new DirectionBall(simple);
   layout->addWidget(this->Ball, 1);
   auto* const form = new PropertyForm(this->Document, simple);
@@ -250,7 +252,7 @@ void LightPanel::Refresh()
     QListWidgetItem* item = this->List->item(i);
     item->setText(NameOfLight(this->Document->GetScene(), i));
     item->setCheckState(light.On ? Qt::Checked : Qt::Unchecked);
-    item->setToolTip(NameOfType(light.Type));
+    item->setToolTip(light.On ? NameOfType(light.Type) : tr("%1, off").arg(NameOfType(light.Type)));
   }
   this->List->setCurrentRow(this->Document->GetSelectedLight());
   const bool selected = HasSelectedLight(this->Document);
@@ -273,11 +275,18 @@ void LightPanel::ShowDirection()
   this->Ball->setEnabled(selected);
   if (!selected)
   {
+    this->Hint->setText(this->Document->IsOpen()
+        ? tr("There is no light: add one, or take a rig of several.")
+        : tr("Lights can be added once a volume is open."));
     return;
   }
   const LightDescription& light =
     this->Document->GetScene().Lights[this->Document->GetSelectedLight()];
-  this->Ball->setEnabled(light.Type != LightType::Headlight);
+  const bool turns = light.Type != LightType::Headlight;
+  this->Hint->setText(turns
+      ? tr("Drag the light around the ball; in the ring it shines from behind:")
+      : tr("A headlight is at your eye: it shines wherever you look."));
+  this->Ball->setEnabled(turns);
   this->Ball->ShowDirection(DirectionToLight(light, this->View->GetFrame()), light.Diffuse);
 }
 

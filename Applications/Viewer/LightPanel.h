@@ -11,6 +11,7 @@
 #include <QWidget>
 
 class QAction;
+class QLabel;
 class QListWidget;
 class QListWidgetItem;
 class QToolButton;
@@ -58,6 +59,7 @@ private:
   SceneDocument* Document;
   VolumeView* View;
   QListWidget* List;
+  QLabel* Hint = nullptr;
   DirectionBall* Ball = nullptr;
   QToolButton* AddButton = nullptr;
   QToolButton* RigButton = nullptr;

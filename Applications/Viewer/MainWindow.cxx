@@ -108,8 +108,9 @@ void MainWindow::Connect()
   this->connect(this->Opening, &SceneOpening::seriesFound, this, &MainWindow::ChooseSeries);
   this->connect(this->Document, &SceneDocument::refused, this, &MainWindow::ShowError);
   this->connect(this->Document, &SceneDocument::fileChanged, this, &MainWindow::ShowTitle);
-  this->connect(
-    this->Document->GetHistory(), &QUndoStack::cleanChanged, this, &MainWindow::ShowTitle);
+  const QUndoStack* history = this->Document->GetHistory();
+  this->connect(history, &QUndoStack::cleanChanged, this, &MainWindow::ShowTitle);
+  this->connect(history, &QUndoStack::indexChanged, this, [this] { this->EditedMeanwhile = true; });
   this->connect(
     this->View, &VolumeView::aimed, this->Panels->GetLights(), &LightPanel::AimSelected);
   this->connect(this->View, &VolumeView::refined, this,
@@ -124,17 +125,18 @@ void MainWindow::Connect()
 //------------------------------------------------------------------------------
 void MainWindow::Open(const std::filesystem::path& file)
 {
-  OpenRequest request;
-  request.File = file;
-  request.ViewSize = this->GetViewSize();
-  this->Start(request);
+  this->EditedMeanwhile = false;
+  this->Start(this->MakeRequest(file));
 }
 
 //------------------------------------------------------------------------------
-std::array<int, 2> MainWindow::GetViewSize() const
+OpenRequest MainWindow::MakeRequest(const std::filesystem::path& file) const
 {
+  OpenRequest request;
+  request.File = file.has_filename() ? file : file.parent_path(); // so that a folder has a name
   const QSize size = this->centralWidget()->size(); // the view's, also before it is shown
-  return { size.width(), size.height() };
+  request.ViewSize = { size.width(), size.height() };
+  return request;
 }
 
 //------------------------------------------------------------------------------
@@ -152,9 +154,8 @@ void MainWindow::OpenAsked(const QString& file)
   {
     return;
   }
-  OpenRequest request;
-  request.File = std::filesystem::u8path(file.toStdString());
-  request.ViewSize = this->GetViewSize();
+  this->EditedMeanwhile = false;
+  OpenRequest request = this->MakeRequest(std::filesystem::u8path(file.toStdString()));
   request.AskForSeries = QFileInfo(file).isDir();
   if (QFileInfo(file).suffix().toLower() == "raw")
   {
@@ -190,6 +191,10 @@ void MainWindow::Save(const std::filesystem::path& file)
 //------------------------------------------------------------------------------
 void MainWindow::ShowOpened(const std::shared_ptr<const OpenedScene>& scene)
 {
+  if (this->EditedMeanwhile && !this->Files->MayDiscardChanges())
+  {
+    return;
+  }
   this->Stack->setCurrentWidget(this->View);
   this->Document->Open(*scene);
   this->Recent->Add(QString::fromStdString(scene->File.u8string()));
@@ -224,9 +229,7 @@ void MainWindow::ShowError(const QString& text)
 //------------------------------------------------------------------------------
 void MainWindow::ShowTitle()
 {
-  const std::filesystem::path file =
-    this->Document->GetSceneFile().value_or(this->Document->GetOpenedFile());
-  const QString name = QString::fromStdString(file.filename().u8string());
+  const QString name = this->Document->GetName();
   this->setWindowTitle(name.isEmpty() ? QString("Penumbra") : name + "[*]");
   this->setWindowModified(this->Document->HasUnsavedChanges());
 }
@@ -236,7 +239,7 @@ void MainWindow::RestoreLayout()
 {
   const QSettings settings;
   this->restoreGeometry(settings.value("geometry").toByteArray());
-  this->restoreState(settings.value("panels").toByteArray());
+  this->Panels->SetArrangement(settings.value("panels").toByteArray());
 }
 
 //------------------------------------------------------------------------------
@@ -244,7 +247,7 @@ void MainWindow::RememberLayout() const
 {
   QSettings settings;
   settings.setValue("geometry", this->saveGeometry());
-  settings.setValue("panels", this->saveState());
+  settings.setValue("panels", this->Panels->GetArrangement());
 }
 
 //------------------------------------------------------------------------------

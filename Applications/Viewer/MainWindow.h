@@ -8,7 +8,6 @@
 
 #include <QMainWindow>
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -80,12 +79,14 @@ protected:
 private:
   void MakeMiddle();
   void Connect();
-  std::array<int, 2> GetViewSize() const;
+  OpenRequest MakeRequest(const std::filesystem::path& file) const;
   void Start(const OpenRequest& request);
   void ChooseSeries(OpenRequest request, const std::vector<SeriesFacts>& series);
   void ShowOpened(const std::shared_ptr<const OpenedScene>& scene);
   void ShowTitle();
 
+  /// Whether there were edits since what is being read was asked for.
+  bool EditedMeanwhile = false;
   SceneDocument* Document;
   SceneOpening* Opening;
   VolumeView* View;

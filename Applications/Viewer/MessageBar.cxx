@@ -4,7 +4,6 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QStyle>
 #include <QToolButton>
 
 namespace penumbra
@@ -23,7 +22,7 @@ MessageBar::MessageBar(QWidget* parent)
   this->Label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   layout->addWidget(this->Label, 1);
   auto* const close = new QToolButton(this);
-  close->setIcon(this->style()->standardIcon(QStyle::SP_TitleBarCloseButton));
+  close->setText(QString::fromUtf8("\u2715"));
   close->setAutoRaise(true);
   close->setAccessibleName(tr("Close message"));
   close->setToolTip(tr("Close this message"));
@@ -73,7 +72,7 @@ void MessageBar::ShowText(const QString& text, const QColor& color)
 {
   this->Label->setText(text);
   this->setStyleSheet(
-    QString("#messageBar { background: %1; } #messageBar QLabel { color: white; }")
+    QString("#messageBar { background: %1; } #messageBar QLabel, QToolButton { color: white; }")
       .arg(color.name()));
   this->setAccessibleName(text);
   this->Place();

@@ -1,5 +1,6 @@
 #include "PipelineTree.h"
 
+#include "EyeStyle.h"
 #include "LightEdits.h"
 #include "SceneDocument.h"
 
@@ -12,6 +13,11 @@ namespace
 {
 constexpr int PartRole = Qt::UserRole;
 constexpr int LightRole = Qt::UserRole + 1;
+
+PipelinePart PartOf(const QTreeWidgetItem* item)
+{
+  return static_cast<PipelinePart>(item->data(0, PartRole).toInt());
+}
 }
 
 //------------------------------------------------------------------------------
@@ -22,11 +28,14 @@ PipelineTree::PipelineTree(SceneDocument* document, QWidget* parent)
   this->setObjectName("pipelineTree");
   this->setAccessibleName(tr("Pipeline"));
   this->setHeaderHidden(true);
+  this->setStyle(new EyeStyle(this));
   this->setMinimumSize(170, 90);
   this->connect(document, &SceneDocument::changed, this, &PipelineTree::Rebuild);
   this->connect(document, &SceneDocument::lightSelected, this, &PipelineTree::Rebuild);
   this->connect(this, &QTreeWidget::itemSelectionChanged, this, &PipelineTree::TakeSelection);
-  this->connect(this, &QTreeWidget::itemChanged, this, &PipelineTree::TakeCheck);
+  this->connect(this, &QTreeWidget::itemChanged, this, &PipelineTree::TakeEye);
+  this->connect(this, &QTreeWidget::itemActivated, this,
+    [this](const QTreeWidgetItem* item) { emit this->controlsAsked(PartOf(item)); });
 }
 
 //------------------------------------------------------------------------------
@@ -39,6 +48,23 @@ QTreeWidgetItem* PipelineTree::AddPart(
   {
     this->addTopLevelItem(item);
   }
+  return item;
+}
+
+//------------------------------------------------------------------------------
+QTreeWidgetItem* PipelineTree::AddLight(QTreeWidgetItem* volume, std::size_t light)
+{
+  const SceneDescription& scene = this->Document->GetScene();
+  const QString name = NameOfLight(scene, light);
+  const bool on = scene.Lights[light].On;
+  QTreeWidgetItem* item = this->AddPart(volume, name, PipelinePart::Light);
+  item->setData(0, LightRole, static_cast<int>(light));
+  item->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
+  item->setData(
+    0, Qt::AccessibleTextRole, on ? tr("%1, shown").arg(name) : tr("%1, hidden").arg(name));
+  item->setToolTip(0,
+    on ? tr("Shown: the light shines. Click the eye, or press Space, to hide it.")
+       : tr("Hidden: the light is off. Click the eye, or press Space, to show it."));
   return item;
 }
 
@@ -62,10 +88,7 @@ void PipelineTree::Rebuild()
   }
   for (std::size_t i = 0; i < scene.Lights.size(); ++i)
   {
-    QTreeWidgetItem* light = this->AddPart(volume, NameOfLight(scene, i), PipelinePart::Light);
-    light->setData(0, LightRole, static_cast<int>(i));
-    light->setCheckState(0, scene.Lights[i].On ? Qt::Checked : Qt::Unchecked);
-    light->setToolTip(0, tr("Check: the light shines"));
+    QTreeWidgetItem* light = this->AddLight(volume, i);
     if (part == static_cast<int>(PipelinePart::Light) &&
       static_cast<int>(i) == this->Document->GetSelectedLight())
     {
@@ -84,7 +107,7 @@ void PipelineTree::TakeSelection()
   {
     return;
   }
-  const auto part = static_cast<PipelinePart>(item->data(0, PartRole).toInt());
+  const PipelinePart part = PartOf(item);
   const int light = item->data(0, LightRole).toInt();
   if (part == PipelinePart::Light)
   {
@@ -94,7 +117,7 @@ void PipelineTree::TakeSelection()
 }
 
 //------------------------------------------------------------------------------
-void PipelineTree::TakeCheck(QTreeWidgetItem* item)
+void PipelineTree::TakeEye(QTreeWidgetItem* item)
 {
   const int light = item->data(0, LightRole).toInt();
   const bool on = item->checkState(0) == Qt::Checked;

@@ -2,7 +2,8 @@
  * @class   PipelineTree
  * @brief   what the picture is made of, from the file to the lights
  *
- * Check boxes are eyes: what is unchecked is not seen. Selecting a part brings up its controls.
+ * Eyes show and hide. Selecting a part, and surely a double click
+ * or the return key, brings up its controls.
  */
 
 #ifndef PipelineTree_h
@@ -31,12 +32,14 @@ public:
 
 signals:
   void selected(penumbra::PipelinePart part);
+  void controlsAsked(penumbra::PipelinePart part);
 
 private:
   QTreeWidgetItem* AddPart(QTreeWidgetItem* above, const QString& text, PipelinePart part);
+  QTreeWidgetItem* AddLight(QTreeWidgetItem* volume, std::size_t light);
   void Rebuild();
   void TakeSelection();
-  void TakeCheck(QTreeWidgetItem* item);
+  void TakeEye(QTreeWidgetItem* item);
 
   SceneDocument* Document;
 };

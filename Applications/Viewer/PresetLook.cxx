@@ -15,6 +15,18 @@
 
 namespace penumbra
 {
+namespace
+{
+void ApplyLook(const Preset& preset, const std::filesystem::path& folder, vtkImageData* image,
+  const VolumeStatistics& statistics, SceneDescription& scene)
+{
+  scene.TransferFunction = ScaleToVolume(preset, image, statistics);
+  scene.TransferFunction.OpacityUnitDistance =
+    scene.TransferFunction.OpacityUnitDistance.value_or(1.0);
+  scene.Material =
+    preset.Material ? ParseMaterial(*preset.Material, folder) : MaterialDescription();
+}
+}
 
 //------------------------------------------------------------------------------
 std::vector<PresetName> ListPresets(const std::string& modality)
@@ -38,16 +50,27 @@ void ApplyPreset(const std::string& name, const std::filesystem::path& folder, v
   const VolumeStatistics& statistics, SceneDescription& scene)
 {
   const Preset preset = FindPreset(name, folder);
-  scene.TransferFunction = ScaleToVolume(preset, image, statistics);
-  scene.TransferFunction.OpacityUnitDistance =
-    scene.TransferFunction.OpacityUnitDistance.value_or(1.0);
-  scene.Material =
-    preset.Material ? ParseMaterial(*preset.Material, folder) : MaterialDescription();
+  ApplyLook(preset, folder, image, statistics, scene);
   scene.Volume.Cropping.reset();
   if (preset.CropMargin)
   {
     scene.Volume.Cropping = FindBodyRegion(image, *preset.CropMargin);
   }
+}
+
+//------------------------------------------------------------------------------
+std::string LookOf(const SceneDescription& scene)
+{
+  const nlohmann::json written = ParseJson(WriteScene(scene, scene.Volume.File.parent_path()));
+  return written["transferFunction"].dump() + written["material"].dump();
+}
+
+//------------------------------------------------------------------------------
+std::string LookOfPreset(const std::string& name, vtkImageData* image,
+  const VolumeStatistics& statistics, SceneDescription scene)
+{
+  ApplyLook(FindPreset(name, {}), {}, image, statistics, scene);
+  return LookOf(scene);
 }
 
 //------------------------------------------------------------------------------

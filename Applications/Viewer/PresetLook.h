@@ -35,6 +35,13 @@ std::vector<PresetName> ListPresets(const std::string& modality);
 void ApplyPreset(const std::string& name, const std::filesystem::path& folder, vtkImageData* image,
   const VolumeStatistics& statistics, SceneDescription& scene);
 
+/// Transfer function and material, which are the same where these texts are.
+///@{
+std::string LookOf(const SceneDescription& scene);
+std::string LookOfPreset(const std::string& name, vtkImageData* image,
+  const VolumeStatistics& statistics, SceneDescription scene);
+///@}
+
 /// The look of a scene as the text of a preset's file.
 std::string WritePreset(const SceneDescription& scene, const std::string& name);
 

@@ -37,6 +37,7 @@ PresetPanel::PresetPanel(SceneDocument* document, VolumeView* view, QWidget* par
   this->List->setGridSize({ PresetThumbnails::Size + 12, PresetThumbnails::Size + 26 });
   this->List->setMovement(QListView::Static);
   this->List->setResizeMode(QListView::Adjust);
+  this->List->setSelectionMode(QAbstractItemView::NoSelection); // the one in use is marked instead
   this->List->setMinimumHeight(PresetThumbnails::Size + 34);
   column->addWidget(this->List);
   auto* const row = new QHBoxLayout;
@@ -51,6 +52,7 @@ PresetPanel::PresetPanel(SceneDocument* document, VolumeView* view, QWidget* par
   this->connect(load, &QPushButton::clicked, this, &PresetPanel::AskAndLoad);
   this->connect(save, &QPushButton::clicked, this, &PresetPanel::AskAndSave);
   this->connect(document, &SceneDocument::opened, this, &PresetPanel::ShowOpened);
+  this->connect(document, &SceneDocument::changed, this, &PresetPanel::MarkUsed);
   this->connect(view, &VolumeView::refined, this, &PresetPanel::DrawThumbnails);
   const auto choose = [this](QListWidgetItem* item)
   { this->Apply(this->Presets[static_cast<std::size_t>(this->List->row(item))].Name, {}); };
@@ -66,9 +68,11 @@ void PresetPanel::ShowOpened()
 {
   this->setEnabled(true);
   this->Thumbnails->Stop();
-  this->Statistics.reset();
   this->List->clear();
-  this->Presets = ListPresets(TextField(this->Document->GetVoxels().Volume, "Modality"));
+  this->Looks.clear();
+  vtkImageData* volume = this->Document->GetVoxels().Volume;
+  this->Statistics.emplace(volume);
+  this->Presets = ListPresets(TextField(volume, "Modality"));
   QPixmap empty(PresetThumbnails::Size, PresetThumbnails::Size);
   empty.fill(this->palette().color(QPalette::Mid));
   for (const PresetName& preset : this->Presets)
@@ -76,8 +80,28 @@ void PresetPanel::ShowOpened()
     auto* const item =
       new QListWidgetItem(QIcon(empty), QString::fromStdString(preset.Name), this->List);
     item->setToolTip(QString::fromStdString(preset.Description));
+    this->Looks.push_back(
+      LookOfPreset(preset.Name, volume, *this->Statistics, this->Document->GetScene()));
   }
   this->ThumbnailsDue = true;
+}
+
+//------------------------------------------------------------------------------
+void PresetPanel::MarkUsed()
+{
+  const std::string look = LookOf(this->Document->GetScene());
+  QColor mark = this->palette().color(QPalette::Highlight);
+  mark.setAlphaF(0.35);
+  for (int row = 0; row < this->List->count(); ++row)
+  {
+    const bool used = this->Looks[static_cast<std::size_t>(row)] == look;
+    QListWidgetItem* item = this->List->item(row);
+    QFont font = this->List->font();
+    font.setBold(used);
+    item->setFont(font);
+    item->setBackground(used ? QBrush(mark) : QBrush());
+    item->setData(Qt::AccessibleTextRole, used ? tr("%1, in use").arg(item->text()) : item->text());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -102,10 +126,6 @@ void PresetPanel::DrawThumbnails()
 void PresetPanel::Apply(const std::string& preset, const std::filesystem::path& folder)
 {
   vtkImageData* volume = this->Document->GetVoxels().Volume;
-  if (!this->Statistics)
-  {
-    this->Statistics.emplace(volume);
-  }
   this->Document->Edit(tr("preset %1").arg(QString::fromStdString(preset)),
     [&](SceneDescription& scene)
     { ApplyPreset(preset, folder, volume, *this->Statistics, scene); });

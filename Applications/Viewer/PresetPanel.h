@@ -1,6 +1,8 @@
 /**
  * @class   PresetPanel
  * @brief   looks to choose from, with pictures of the open volume
+ *
+ * The one that is in use is marked until transfer function or material are edited.
  */
 
 #ifndef PresetPanel_h
@@ -39,6 +41,7 @@ protected:
 
 private:
   void ShowOpened();
+  void MarkUsed();
   void DrawThumbnails();
   void AskAndLoad();
   void AskAndSave();
@@ -48,6 +51,8 @@ private:
   QListWidget* List;
   PresetThumbnails* Thumbnails;
   std::vector<PresetName> Presets;
+  /// What LookOf() tells of a scene in which they are used.
+  std::vector<std::string> Looks;
   std::optional<VolumeStatistics> Statistics;
   bool ThumbnailsDue = false;
 };

@@ -25,6 +25,7 @@ PropertyForm::PropertyForm(SceneDocument* document, QWidget* parent)
   , Document(document)
   , Layout(new QFormLayout(this))
 {
+  this->Layout->setContentsMargins(6, 6, 6, 6);
   this->Layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   this->Layout->setVerticalSpacing(0); // rows that are hidden would keep theirs
   this->setEnabled(false);

@@ -9,6 +9,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -22,11 +23,17 @@ namespace
 {
 QString DescribeLayout(const RawLayout& layout)
 {
-  return QString("%1 x %2 x %3, %4")
+  return QString::fromUtf8("%1\u2009\u00d7\u2009%2\u2009\u00d7\u2009%3, %4")
     .arg(layout.Dimensions[0])
     .arg(layout.Dimensions[1])
     .arg(layout.Dimensions[2])
     .arg(QString::fromStdString(layout.ScalarType));
+}
+
+QString Bytes(std::uint64_t count)
+{
+  const QString number = QLocale().toString(static_cast<qulonglong>(count));
+  return count == 1 ? QObject::tr("1 byte") : QObject::tr("%1 bytes").arg(number);
 }
 
 void Name(QWidget* widget, const QString& name, const QString& tip)
@@ -45,7 +52,7 @@ RawImportDialog::RawImportDialog(const QString& file, QWidget* parent)
   this->setWindowTitle(tr("Raw volume: %1").arg(QFileInfo(file).fileName()));
   auto* const column = new QVBoxLayout(this);
   auto* const hint = new QLabel(
-    tr("A .raw file holds voxels alone. What do they mean? The file has %1 bytes.").arg(FileBytes));
+    tr("A .raw file holds nothing but voxels. Say how its %1 are stored.").arg(Bytes(FileBytes)));
   hint->setWordWrap(true);
   column->addWidget(hint);
   auto* const form = new QFormLayout;
@@ -76,6 +83,10 @@ void RawImportDialog::AddProposals(QFormLayout* form)
   for (const RawLayout& layout : this->Proposals)
   {
     box->addItem(DescribeLayout(layout));
+  }
+  if (this->Proposals.empty())
+  {
+    box->addItem(tr("none fills the file"));
   }
   box->setEnabled(!this->Proposals.empty());
   form->addRow(tr("Likely"), box);
@@ -108,7 +119,8 @@ void RawImportDialog::AddControls(QFormLayout* form)
   this->Type->addItems(QString(ScalarTypeNames()).split(' '));
   form->addRow(tr("Type"), this->Type);
   this->Spacing = new VectorEdit({ 1e-6, 1e6, 6 }, this);
-  this->Spacing->SetNames(tr("Spacing"), tr("Distance between voxels along x, y and z"));
+  this->Spacing->SetNames(tr("Spacing"),
+    tr("Distance between voxels along x, y and z, in millimetres for most scanners"));
   form->addRow(tr("Spacing"), this->Spacing);
   this->ByteOrder = new QComboBox(this);
   this->ByteOrder->addItems({ tr("Little endian (PC)"), tr("Big endian") });
@@ -169,14 +181,20 @@ void RawImportDialog::CheckSize()
   if (bytes > this->FileBytes)
   {
     text =
-      tr("This needs %1 bytes, %2 more than the file has.").arg(bytes).arg(bytes - this->FileBytes);
+      tr("This needs %1, %2 more than the file has.")
+        .arg(Bytes(bytes), QLocale().toString(static_cast<qulonglong>(bytes - this->FileBytes)));
   }
   else if (!fits)
   {
-    text = tr("This needs %1 bytes; the file has %2 more.").arg(bytes).arg(this->FileBytes - bytes);
+    text =
+      tr("This needs %1; the file has %2 more.")
+        .arg(Bytes(bytes), QLocale().toString(static_cast<qulonglong>(this->FileBytes - bytes)));
   }
   this->Verdict->setText(text);
-  this->Verdict->setStyleSheet(fits ? "color: #2e8b57;" : "color: #c0392b;");
+  const bool dark = this->palette().color(QPalette::Window).lightness() < 128;
+  const QString good = dark ? "color: #6fcf97;" : "color: #1e7145;";
+  const QString bad = dark ? "color: #ff8a80;" : "color: #b03024;";
+  this->Verdict->setStyleSheet(fits ? good : bad);
   this->Buttons->button(QDialogButtonBox::Open)->setEnabled(fits);
 }
 

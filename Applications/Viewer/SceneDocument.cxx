@@ -61,6 +61,13 @@ void SceneDocument::Open(const OpenedScene& opened)
 }
 
 //------------------------------------------------------------------------------
+QString SceneDocument::GetName() const
+{
+  const std::filesystem::path file = this->SceneFile.value_or(this->OpenedFile);
+  return QString::fromStdString(file.filename().u8string());
+}
+
+//------------------------------------------------------------------------------
 QString SceneDocument::Edit(
   const QString& text, const std::function<void(SceneDescription&)>& change, const QString& gesture)
 {

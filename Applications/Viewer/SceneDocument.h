@@ -44,6 +44,9 @@ public:
   const std::optional<std::filesystem::path>& GetSceneFile() const { return this->SceneFile; }
   ///@}
 
+  /// Of the file that the scene is saved as, or else of what was opened; empty where nothing is.
+  QString GetName() const;
+
   /// Replaces what was open, and forgets its history.
   void Open(const OpenedScene& opened);
 

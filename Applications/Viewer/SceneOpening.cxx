@@ -2,6 +2,7 @@
 
 #include <QMetaObject>
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <utility>
@@ -60,22 +61,25 @@ void SceneOpening::Cancel()
 //------------------------------------------------------------------------------
 void SceneOpening::Read(const std::shared_ptr<Task>& task)
 {
-  const auto progress = [this, &task](double part)
+  // Where a folder is read after its series were listed, it goes on from where it was.
+  double most = 0.0;
+  const auto progress = [this, &task, &most](double part)
   {
+    most = std::max(most, part);
     QMetaObject::invokeMethod(
-      this, [this, task, part] { this->Tell(task, part); }, Qt::QueuedConnection);
+      this, [this, task, most] { this->Tell(task, most); }, Qt::QueuedConnection);
     return !task->Canceled;
   };
+  const VoxelReading reading = { this->DicomParser, progress };
   std::shared_ptr<OpenedScene> scene;
   QString reason;
   try
   {
-    if (task->Request.AskForSeries && !task->Canceled && this->FindSeveralSeries(task))
+    if (task->Request.AskForSeries && !task->Canceled && this->FindSeveralSeries(task, reading))
     {
       return;
     }
-    scene =
-      std::make_shared<OpenedScene>(ReadScene(task->Request, { this->DicomParser, progress }));
+    scene = std::make_shared<OpenedScene>(ReadScene(task->Request, reading));
   }
   catch (const std::bad_alloc&)
   {
@@ -90,9 +94,9 @@ void SceneOpening::Read(const std::shared_ptr<Task>& task)
 }
 
 //------------------------------------------------------------------------------
-bool SceneOpening::FindSeveralSeries(const std::shared_ptr<Task>& task)
+bool SceneOpening::FindSeveralSeries(const std::shared_ptr<Task>& task, const VoxelReading& reading)
 {
-  const SeriesChoice series = ListSeries(task->Request.File, this->DicomParser);
+  const SeriesChoice series = ListSeries(task->Request.File, reading);
   if (series.size() > 1)
   {
     QMetaObject::invokeMethod(

@@ -59,7 +59,7 @@ private:
   /// These two run in the thread.
   ///@{
   void Read(const std::shared_ptr<Task>& task);
-  bool FindSeveralSeries(const std::shared_ptr<Task>& task);
+  bool FindSeveralSeries(const std::shared_ptr<Task>& task, const VoxelReading& reading);
   ///@}
   void Finish(const std::shared_ptr<Task>& task, const std::shared_ptr<OpenedScene>& scene,
     const QString& reason);

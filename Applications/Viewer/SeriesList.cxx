@@ -7,10 +7,23 @@
 
 namespace penumbra
 {
+namespace
+{
+// Ends the listing where nobody wants it any more.
+void TellProgress(vtkObject* caller, unsigned long, void* progress, void*)
+{
+  auto* const reader = static_cast<vtkAlgorithm*>(caller);
+  const auto& tell = *static_cast<std::function<bool(double)>*>(progress);
+  if (!tell(reader->GetProgress()))
+  {
+    reader->SetAbortExecute(1);
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 std::vector<SeriesFacts> ListSeries(
-  const std::filesystem::path& folder, const std::filesystem::path& dicomParser)
+  const std::filesystem::path& folder, const VoxelReading& reading)
 {
   vtkNew<vtkDICOMVolumeReader> reader;
   // What is wrong is told where the volume is read.
@@ -22,7 +35,15 @@ std::vector<SeriesFacts> ListSeries(
     speaker->AddObserver(vtkCommand::WarningEvent, silence);
   }
   reader->SetFileName(folder.u8string().c_str());
-  reader->SetParserProgram(dicomParser.u8string().c_str());
+  reader->SetParserProgram(reading.DicomParser.u8string().c_str());
+  std::function<bool(double)> progress = reading.Progress;
+  vtkNew<vtkCallbackCommand> listener;
+  if (progress)
+  {
+    listener->SetCallback(TellProgress);
+    listener->SetClientData(&progress);
+    reader->AddObserver(vtkCommand::ProgressEvent, listener);
+  }
   reader->UpdateInformation();
   std::vector<SeriesFacts> series;
   for (int i = 0; i < reader->GetNumberOfSeries(); ++i)

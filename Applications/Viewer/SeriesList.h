@@ -6,6 +6,8 @@
 #ifndef SeriesList_h
 #define SeriesList_h
 
+#include "SceneVolume.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,9 +26,10 @@ struct SeriesFacts
   int Rows = 0;
 };
 
-/// Those with most voxels first. Empty where there is none, or where the folder cannot be read.
+/// Those with most voxels first. Empty where there is none, where the folder cannot be read, and
+/// where it was not to go on.
 std::vector<SeriesFacts> ListSeries(
-  const std::filesystem::path& folder, const std::filesystem::path& dicomParser);
+  const std::filesystem::path& folder, const VoxelReading& reading);
 
 }
 

@@ -1,5 +1,6 @@
 #include "StartPage.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -11,6 +12,8 @@ namespace penumbra
 namespace
 {
 constexpr int MostRecent = 5;
+constexpr int Width = 480;
+constexpr int WidestRecent = Width - 30;
 
 QLabel* MakeText(const QString& text, double scale, bool bold, QWidget* parent)
 {
@@ -34,7 +37,7 @@ StartPage::StartPage(QWidget* parent)
   layout->setRowStretch(0, 1);
   layout->setRowStretch(2, 2);
   auto* const middle = new QWidget(this);
-  middle->setMaximumWidth(480);
+  middle->setMaximumWidth(Width);
   layout->addWidget(middle, 1, 0);
   this->Column = new QVBoxLayout(middle);
   this->Column->setSpacing(6);
@@ -89,7 +92,13 @@ void StartPage::ShowRecent(const QStringList& files)
   this->Recent->layout()->addWidget(MakeText(tr("Recent"), 1.0, true, this->Recent));
   for (const QString& file : files.mid(0, MostRecent))
   {
-    auto* const button = new QPushButton(QFileInfo(file).fileName(), this->Recent);
+    const QFileInfo info(file);
+    auto* const button = new QPushButton(this->Recent);
+    const QString text =
+      tr("%1   in %2").arg(info.fileName(), QDir::toNativeSeparators(info.absolutePath()));
+    button->setText(
+      button->fontMetrics().elidedText(text, Qt::ElideMiddle, WidestRecent).replace("&", "&&"));
+    button->setAccessibleName(text);
     button->setFlat(true);
     button->setStyleSheet("text-align: left; padding: 3px;");
     button->setToolTip(file);

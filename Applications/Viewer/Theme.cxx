@@ -2,13 +2,31 @@
 
 #include <QApplication>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
 
 namespace penumbra
 {
 namespace
 {
 constexpr QRgb Accent = 0x3d8bd4;
+constexpr int TabPadding = 10;
+
+// The titles of a narrow window's tabs have room beside each other.
+class ThemeStyle : public QProxyStyle
+{
+public:
+  ThemeStyle()
+    : QProxyStyle(StyleName)
+  {
+  }
+
+  int pixelMetric(
+    PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override
+  {
+    return metric == PM_TabBarTabHSpace ? TabPadding
+                                        : QProxyStyle::pixelMetric(metric, option, widget);
+  }
+};
 
 QPalette MakePalette(QRgb window, QRgb base, QRgb button, QRgb text, QRgb faint, QRgb tip)
 {
@@ -52,7 +70,7 @@ void ApplyTheme(Theme theme)
 {
   const bool systemDark = IsSystemDark();
   const bool dark = theme == Theme::Dark || (theme == Theme::System && systemDark);
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setStyle(new ThemeStyle);
   QApplication::setPalette(PaletteOf(dark));
 }
 

@@ -17,7 +17,10 @@ enum class Theme
   Dark
 };
 
-/// Qt's own style "Fusion", which looks the same everywhere, in the colours of the theme.
+/// Qt's own style that looks the same everywhere and follows the palette.
+constexpr const char* StyleName = "Fusion";
+
+/// This style in the colours of the theme.
 void ApplyTheme(Theme theme = Theme::System);
 
 }

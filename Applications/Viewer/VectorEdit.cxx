@@ -12,17 +12,18 @@ VectorEdit::VectorEdit(const NumberRange& range, QWidget* parent)
   auto* const layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(3);
-  for (NumberBox*& box : this->Boxes)
+  for (std::size_t i = 0; i < this->Boxes.size(); ++i)
   {
-    box = new NumberBox(range, this);
+    auto* const box = new NumberBox(range, this);
+    this->Boxes[i] = box;
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setMinimumWidth(48);
     layout->addWidget(box, 1);
     this->connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-      [this]
+      [this, i](double value)
       {
-        emit this->edited(
-          { this->Boxes[0]->value(), this->Boxes[1]->value(), this->Boxes[2]->value() });
+        this->Vector[i] = value; // the others as they are, not as they are shown
+        emit this->edited(this->Vector);
       });
   }
 }
@@ -30,6 +31,7 @@ VectorEdit::VectorEdit(const NumberRange& range, QWidget* parent)
 //------------------------------------------------------------------------------
 void VectorEdit::ShowVector(const Vector3& vector)
 {
+  this->Vector = vector;
   for (std::size_t i = 0; i < this->Boxes.size(); ++i)
   {
     this->Boxes[i]->ShowValue(vector[i]);

@@ -30,7 +30,8 @@ signals:
   void edited(const penumbra::Vector3& vector);
 
 private:
-  std::array<NumberBox*, 3> Boxes;
+  std::array<NumberBox*, 3> Boxes{};
+  Vector3 Vector{};
 };
 
 }

@@ -12,6 +12,8 @@
 #include "VolumeView.h"
 
 #include <QDockWidget>
+#include <QEvent>
+#include <QLayout>
 #include <QMainWindow>
 #include <QScrollArea>
 
@@ -20,6 +22,8 @@ namespace penumbra
 namespace
 {
 constexpr int RightWidth = 345;
+constexpr int ColumnWidth = 380; // for the titles of five tabs
+constexpr int NarrowWidth = 1100;
 constexpr int LeftWidth = 260;
 constexpr int TreeHeight = 260;
 constexpr int InformationHeight = 440;
@@ -46,7 +50,9 @@ WindowPanels::WindowPanels(
   this->RenderingDock = this->Add(
     tr("Rendering"), "renderingDock", Qt::RightDockWidgetArea, this->MakeRendering(dragClipping));
   this->Arrange();
-  this->connect(tree, &PipelineTree::selected, this, &WindowPanels::ShowPart);
+  this->connect(tree, &PipelineTree::selected, this, &WindowPanels::ShowSelected);
+  this->connect(tree, &PipelineTree::controlsAsked, this, &WindowPanels::Show);
+  window->installEventFilter(this);
 }
 
 //------------------------------------------------------------------------------
@@ -91,11 +97,90 @@ QList<QDockWidget*> WindowPanels::GetDocks() const
 }
 
 //------------------------------------------------------------------------------
-void WindowPanels::ShowPart(PipelinePart part)
+QByteArray WindowPanels::GetArrangement() const
+{
+  return this->WideArrangement.value_or(this->Window->saveState());
+}
+
+//------------------------------------------------------------------------------
+void WindowPanels::SetArrangement(const QByteArray& arrangement)
+{
+  this->WideArrangement.reset();
+  this->Window->restoreState(arrangement);
+  this->FitWindow();
+}
+
+//------------------------------------------------------------------------------
+bool WindowPanels::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::Resize)
+  {
+    this->FitWindow();
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+//------------------------------------------------------------------------------
+void WindowPanels::FitWindow()
+{
+  const bool narrow = this->Window->width() < NarrowWidth;
+  if (narrow && !this->WideArrangement)
+  {
+    this->WideArrangement = this->Window->saveState();
+    this->ArrangeInOneColumn();
+    this->Window->layout()->activate(); // so that what is opened at once fits the view
+  }
+  else if (!narrow && this->WideArrangement)
+  {
+    this->Window->restoreState(*this->WideArrangement);
+    this->WideArrangement.reset();
+  }
+}
+
+//------------------------------------------------------------------------------
+void WindowPanels::ArrangeInOneColumn()
+{
+  QDockWidget* before = nullptr;
+  for (QDockWidget* dock : { this->LightDock, this->AppearanceDock, this->RenderingDock,
+         this->PipelineDock, this->InformationDock })
+  {
+    if (dock->isFloating())
+    {
+      continue;
+    }
+    this->Window->addDockWidget(Qt::RightDockWidgetArea, dock);
+    if (before)
+    {
+      this->Window->tabifyDockWidget(before, dock);
+    }
+    before = dock;
+  }
+  this->LightDock->raise();
+  this->Window->resizeDocks({ this->LightDock }, { ColumnWidth }, Qt::Horizontal);
+}
+
+//------------------------------------------------------------------------------
+QDockWidget* WindowPanels::DockOf(PipelinePart part) const
 {
   QDockWidget* const docks[] = { this->InformationDock, this->AppearanceDock, this->RenderingDock,
     this->LightDock };
-  QDockWidget* dock = docks[static_cast<int>(part)];
+  return docks[static_cast<int>(part)];
+}
+
+//------------------------------------------------------------------------------
+void WindowPanels::ShowSelected(PipelinePart part)
+{
+  // What would cover the tree while one goes through it waits until it is asked for.
+  if (!this->Window->tabifiedDockWidgets(this->PipelineDock).contains(this->DockOf(part)))
+  {
+    this->Show(part);
+  }
+}
+
+//------------------------------------------------------------------------------
+void WindowPanels::Show(PipelinePart part)
+{
+  QDockWidget* dock = this->DockOf(part);
   dock->show();
   dock->raise();
 }

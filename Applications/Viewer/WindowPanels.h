@@ -1,13 +1,19 @@
 /**
  * @class   WindowPanels
  * @brief   the panels around the 3D view
+ *
+ * In a window that is narrow they share one column, as tabs, so that the view has room; once it is
+ * wide again they are where they were.
  */
 
 #ifndef WindowPanels_h
 #define WindowPanels_h
 
+#include <QByteArray>
 #include <QObject>
 #include <Qt>
+
+#include <optional>
 
 class QAction;
 class QDockWidget;
@@ -39,12 +45,25 @@ public:
   /// The panels as they are arranged at first, for a menu.
   QList<QDockWidget*> GetDocks() const;
 
+  /// As people arranged them in a wide window; see QMainWindow::saveState().
+  ///@{
+  QByteArray GetArrangement() const;
+  void SetArrangement(const QByteArray& arrangement);
+  ///@}
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   QDockWidget* Add(
     const QString& title, const QString& name, Qt::DockWidgetArea area, QWidget* content);
   QWidget* MakeRendering(QAction* dragClipping);
   void Arrange();
-  void ShowPart(PipelinePart part);
+  void ArrangeInOneColumn();
+  void FitWindow();
+  QDockWidget* DockOf(PipelinePart part) const;
+  void ShowSelected(PipelinePart part);
+  void Show(PipelinePart part);
 
   QMainWindow* Window;
   SceneDocument* Document;
@@ -57,6 +76,8 @@ private:
   QDockWidget* LightDock;
   QDockWidget* AppearanceDock;
   QDockWidget* RenderingDock;
+  /// While they share a column: where they were.
+  std::optional<QByteArray> WideArrangement;
 };
 
 }

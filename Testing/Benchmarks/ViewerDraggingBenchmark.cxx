@@ -7,6 +7,7 @@
 #include "SceneRendering.h"
 #include "ViewerProgram.h"
 #include "VolumeView.h"
+#include "WaitFor.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <iostream>
 
 using namespace penumbra;
@@ -34,17 +34,6 @@ constexpr double SecondsOfDrag = 8.0;
 constexpr double SecondsOfTurn = 4.0;
 constexpr double RadiusOfTurn = 60.0; // in pixels
 constexpr int MillisecondsOfMouse = 8;
-
-bool WaitFor(const std::function<bool()>& condition, double seconds)
-{
-  QElapsedTimer timer;
-  timer.start();
-  while (!condition() && timer.elapsed() < 1000.0 * seconds)
-  {
-    QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
-  }
-  return condition();
-}
 
 void Send(QWidget* widget, QEvent::Type type, const QPointF& place)
 {

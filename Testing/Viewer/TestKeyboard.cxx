@@ -4,7 +4,11 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QTest>
+#include <QTimer>
 
 #include <vtkImageData.h>
 
@@ -15,12 +19,21 @@ namespace
 // What is seen changes by at least so many grey levels of 255.
 constexpr double Seen = 2.0;
 
+// More tabs than there are controls are a circle.
+constexpr int MostControls = 200;
+
 // A person without a mouse: keys go to what has the focus, and nowhere else.
 struct KeyboardSession : ViewerSession
 {
   KeyboardSession()
   {
     REQUIRE(this->Open(this->Files.File));
+    this->Activate();
+  }
+
+  // As a window manager does.
+  void Activate()
+  {
     this->Window.activateWindow();
     REQUIRE(WaitFor([] { return QApplication::focusWidget() != nullptr; }));
   }
@@ -30,15 +43,35 @@ struct KeyboardSession : ViewerSession
     QTest::keyClick(QApplication::focusWidget(), key, modifiers);
   }
 
-  // Tab by tab; more than there are controls is a circle.
+  // Tab by tab.
   static bool TabTo(const QString& name)
   {
-    constexpr int mostControls = 200;
-    for (int i = 0; i < mostControls && QApplication::focusWidget()->objectName() != name; ++i)
+    for (int i = 0; i < MostControls && QApplication::focusWidget()->objectName() != name; ++i)
     {
       Press(Qt::Key_Tab);
     }
     return QApplication::focusWidget()->objectName() == name;
+  }
+
+  // In the dialog that comes up: tab by tab to where a colour is written as #rrggbb.
+  void ChooseColor(const QString& control, const QString& color)
+  {
+    REQUIRE(this->TabTo(control));
+    QTimer::singleShot(0,
+      [color]
+      {
+        auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        dialog->activateWindow();
+        WaitFor([=] { return dialog->focusWidget() && dialog->focusWidget()->hasFocus(); }, 5.0);
+        for (int i = 0; i < MostControls && !qobject_cast<QLineEdit*>(dialog->focusWidget()); ++i)
+        {
+          QTest::keyClick(dialog->focusWidget(), Qt::Key_Tab);
+        }
+        TypeText(qobject_cast<QLineEdit*>(dialog->focusWidget()), color);
+        QTest::keyClick(dialog->focusWidget(), Qt::Key_Return);
+      });
+    this->Press(Qt::Key_Space);
+    this->Activate();
   }
 
   const std::vector<LightDescription>& Lights() { return this->Document.GetScene().Lights; }
@@ -88,4 +121,29 @@ TEST_CASE("Lights are added, modified and removed by the keyboard alone", "[ligh
     session.Press(Qt::Key_Z, Qt::ControlModifier);
   }
   CHECK(session.ChangeSince(one) == 0.0);
+}
+
+TEST_CASE("Colours, shadow and place of a light are modified by the keyboard alone", "[lights]")
+{
+  KeyboardSession session;
+  session.Document.Edit(
+    "spot", [](SceneDescription& scene) { scene.Lights[0].Type = LightType::Point; });
+  REQUIRE(session.TabTo("qt_tabwidget_tabbar"));
+  session.Press(Qt::Key_Right);
+  const auto& light = [&]() -> const LightDescription& { return session.Lights()[0]; };
+  auto before = session.TakePicture();
+  session.ChooseColor("Diffuse colour", "#ff0000");
+  CHECK(light().Diffuse == Vector3{ 1.0, 0.0, 0.0 });
+  CHECK(session.ChangeSince(before) > Seen);
+  session.ChooseColor("Specular colour", "#00ff00");
+  CHECK(light().Specular == Vector3{ 0.0, 1.0, 0.0 });
+  session.ChooseColor("Ambient colour", "#0000ff");
+  CHECK(light().Ambient == Vector3{ 0.0, 0.0, 1.0 });
+
+  before = session.TakePicture();
+  REQUIRE(session.TabTo("Position x"));
+  TypeText(session.Find<QDoubleSpinBox>("Position x")->findChild<QLineEdit*>(), "40.5");
+  session.Press(Qt::Key_Return);
+  CHECK(light().Position[0] == 40.5);
+  CHECK(session.ChangeSince(before) > Seen);
 }

@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 
@@ -62,6 +63,7 @@ TEST_CASE("Lights are removed until none is left, and then removal is disabled",
   CHECK(session.ChangeSince(before) > Seen);
   CHECK_FALSE(remove->isEnabled());
   CHECK_FALSE(button->isEnabled());
+  CHECK(session.Find<QLabel>("lightHint")->text().startsWith("There is no light"));
   session.Find<QAction>("undo")->trigger();
   CHECK(session.CountLights() == 1);
   CHECK(remove->isEnabled());

@@ -23,6 +23,46 @@ DicomSlices OtherSlices()
 }
 }
 
+TEST_CASE("Listing the series of a folder ends where nobody wants it any more")
+{
+  const TemporaryFolder folder;
+  WriteSlices(folder, Slices(20));
+  // The search asks before each of the 20 files, and the parser after it.
+  const int last = GENERATE(10, 21);
+  int asked = 0;
+  VoxelReading reading = { PENUMBRA_DICOM_PARSER, [&](double) { return ++asked < last; } };
+  CHECK(ListSeries(folder.PathOf(""), reading).empty());
+  CHECK(asked == last);
+  reading.Progress = [](double) { return true; };
+  CHECK(ListSeries(folder.PathOf(""), reading).size() == 1);
+}
+
+TEST_CASE("What lists the series tells how far it is, and is canceled as reading is")
+{
+  const TemporaryFolder folder;
+  WriteSlices(folder, Slices(20));
+  WriteSlices(folder, OtherSlices(), "other ");
+  SceneOpening opening(PENUMBRA_DICOM_PARSER);
+  bool offered = false;
+  bool canceled = false;
+  double most = 0.0;
+  QObject::connect(&opening, &SceneOpening::seriesFound, [&] { offered = true; });
+  QObject::connect(&opening, &SceneOpening::canceled, [&] { canceled = true; });
+  QObject::connect(&opening, &SceneOpening::progressed, [&](double part) { most = part; });
+  OpenRequest request;
+  request.File = folder.PathOf("");
+  request.AskForSeries = true;
+  opening.Start(request);
+  REQUIRE(WaitFor([&] { return offered; }));
+  CHECK(most > 0.1);
+
+  offered = false;
+  opening.Start(request);
+  opening.Cancel();
+  CHECK(canceled);
+  CHECK_FALSE(WaitFor([&] { return offered; }, 0.5));
+}
+
 TEST_CASE("The series of a folder are offered, and the one that is chosen is read")
 {
   const TemporaryFolder folder;

@@ -6,6 +6,8 @@
 #include "TransferFunctionPanel.h"
 #include "ViewerSession.h"
 
+#include <QListWidget>
+
 #include <vtkColorTransferFunction.h>
 #include <vtkImageData.h>
 #include <vtkPiecewiseFunction.h>
@@ -72,6 +74,37 @@ TEST_CASE("Presets change the look, and keep lights and camera")
   session.Window.GetAppearance()->GetPresets()->Apply("no-such-preset", {});
   CHECK_FALSE(session.Document.GetHistory()->canRedo());
   CHECK(session.Document.GetHistory()->index() == 1);
+}
+
+TEST_CASE("The preset in use is marked until the look is edited")
+{
+  AppearanceSession session;
+  auto* const list = session.Find<QListWidget>("presetList");
+  const auto marked = [list]
+  {
+    QStringList names;
+    for (int row = 0; row < list->count(); ++row)
+    {
+      const QString name = list->item(row)->data(Qt::AccessibleTextRole).toString();
+      if (name.endsWith(", in use") && list->item(row)->font().bold())
+      {
+        names << list->item(row)->text();
+      }
+    }
+    return names;
+  };
+  CHECK(marked().isEmpty());
+  session.Window.GetAppearance()->GetPresets()->Apply("cloud", {});
+  CHECK(marked() == QStringList("cloud"));
+  session.Document.Edit("light", [](SceneDescription& scene) { scene.Lights.clear(); });
+  CHECK(marked() == QStringList("cloud"));
+  session.Document.Edit(
+    "edit", [](SceneDescription& scene) { (*scene.TransferFunction.Opacity)[0][1] = 0.01; });
+  CHECK(marked().isEmpty());
+  session.Document.GetHistory()->undo();
+  CHECK(marked() == QStringList("cloud"));
+  REQUIRE(session.Open(session.Files.PathOf("shells.mhd"))); // which chooses one by itself
+  CHECK(marked().size() == 1);
 }
 
 TEST_CASE("A look that is saved as a preset is the same when it is loaded")

@@ -7,7 +7,6 @@
 #include "SyntheticVolumes.h"
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QLineEdit>
 #include <QMouseEvent>
 
@@ -19,18 +18,6 @@
 
 namespace penumbra
 {
-
-//------------------------------------------------------------------------------
-bool WaitFor(const std::function<bool()>& condition, double seconds)
-{
-  QElapsedTimer timer;
-  timer.start();
-  while (!condition() && timer.elapsed() < 1000.0 * seconds)
-  {
-    QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
-  }
-  return condition();
-}
 
 //------------------------------------------------------------------------------
 void TypeText(QLineEdit* line, const QString& text)

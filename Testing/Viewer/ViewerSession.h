@@ -12,18 +12,14 @@
 #include "SceneOpening.h"
 #include "TemporaryFolder.h"
 #include "VolumeView.h"
+#include "WaitFor.h"
 
-#include <functional>
 #include <string>
 
 class QLineEdit;
 
 namespace penumbra
 {
-
-/// Lets the window live until the condition holds; at most so many seconds. Returns whether it
-/// does.
-bool WaitFor(const std::function<bool()>& condition, double seconds = 60.0);
 
 /// Replaces a line's text as the keyboard does, letter by letter.
 void TypeText(QLineEdit* line, const QString& text);
