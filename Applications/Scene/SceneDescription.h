@@ -215,6 +215,9 @@ struct SceneDescription
   std::optional<double> SampleDistance;
   bool SkipEmptySpace = true;
   RendererChoice Renderer = RendererChoice::Penumbra;
+  /// How much of its volumetric scattering the stock mapper takes, 0 to 2, see
+  /// vtkGPUVolumeRayCastMapper::SetVolumetricScatteringBlending; it has it from VTK 9.2 on.
+  double StockScattering = 0.0;
 
   /// What lights a scene without the key "lights".
   static LightDescription DefaultLight();

@@ -140,6 +140,7 @@ SceneDescription ParseScene(const nlohmann::json& json, const std::filesystem::p
   scene.Read("sampleDistance", description.SampleDistance, StepLengths);
   scene.Read("skipEmptySpace", description.SkipEmptySpace);
   scene.ReadChoice("renderer", description.Renderer, NamesOf(description.Renderer));
+  scene.Read("vtkScattering", description.StockScattering, { 0.0, 2.0 });
   scene.RefuseUnknownKeys();
   return description;
 }

@@ -4,6 +4,7 @@
 #include <vtkNew.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkPlane.h>
+#include <vtkVersionMacros.h>
 
 #include <vtkIlluminatedVolumeMapper.h>
 
@@ -65,6 +66,26 @@ void TellReplacements(const SceneDescription& scene, std::vector<std::string>& w
     warnings.push_back("the stock mapper renders absorption and emission instead");
   }
 }
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+void SetStockScattering(
+  const SceneDescription& scene, vtkGPUVolumeRayCastMapper* mapper, std::vector<std::string>&)
+{
+  mapper->SetVolumetricScatteringBlending(static_cast<float>(scene.StockScattering));
+  // Shadows of all that lies before a light, not of what is near alone.
+  mapper->SetGlobalIlluminationReach(1.0f);
+}
+#else
+void SetStockScattering(
+  const SceneDescription& scene, vtkGPUVolumeRayCastMapper*, std::vector<std::string>& warnings)
+{
+  if (scene.StockScattering > 0.0)
+  {
+    warnings.push_back("the stock mapper of VTK " VTK_VERSION
+                       " has no scattering and does without; VTK 9.2 or later has");
+  }
+}
+#endif
 
 vtkSmartPointer<vtkGPUVolumeRayCastMapper> MakeEmptyMapper(RendererChoice renderer)
 {
@@ -150,6 +171,7 @@ void ApplyToMapper(const SceneDescription& scene, vtkGPUVolumeRayCastMapper* map
   }
   if (scene.Renderer == RendererChoice::StockMapper)
   {
+    SetStockScattering(scene, mapper, warnings);
     TellReplacements(scene, warnings);
   }
 }

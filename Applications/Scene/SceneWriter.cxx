@@ -198,6 +198,10 @@ std::string WriteScene(const SceneDescription& scene, const std::filesystem::pat
   json["sampleDistance"] = *scene.SampleDistance;
   json["skipEmptySpace"] = scene.SkipEmptySpace;
   json["renderer"] = NameOf(scene.Renderer);
+  if (scene.StockScattering > 0.0)
+  {
+    json["vtkScattering"] = scene.StockScattering;
+  }
   std::string text;
   Print(json, "", text);
   return text + "\n";

@@ -2,6 +2,8 @@
 
 #include "Median.h"
 
+#include <vtkVersionMacros.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -279,7 +281,14 @@ const std::vector<StudyVariant>& GetStudyVariants()
 {
   static const std::vector<StudyVariant> variants = {
     { "penumbra rays", { "renderer=penumbra", "shadows.technique=rays" } },
-    { "vtk", { "renderer=vtk" } }
+    { "vtk", { "renderer=vtk" } },
+    { "penumbra auto", { "renderer=penumbra", "shadows.technique=auto" } },
+    { "penumbra volume", { "renderer=penumbra", "shadows.technique=volume" } },
+    { "penumbra deep-map", { "renderer=penumbra", "shadows.technique=deep-map" } },
+    { "penumbra opacity-map", { "renderer=penumbra", "shadows.technique=opacity-map" } },
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+    { "vtk scattering", { "renderer=vtk", "vtkScattering=1" } },
+#endif
   };
   return variants;
 }

@@ -19,6 +19,7 @@
 #include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkRenderer.h>
+#include <vtkVersionMacros.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMaterial.h>
 
@@ -109,6 +110,22 @@ TEST_CASE("The stock mapper gets no more clipping planes than it can hold, and t
   CHECK(mapper->GetClippingPlanes()->GetNumberOfItems() == 8);
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0], Catch::Matchers::ContainsSubstring("8 clipping planes"));
+}
+
+TEST_CASE("The stock mapper scatters where this VTK can, and else the scene says so")
+{
+  const auto volume = MakeBall({}, 9.0, 2.0);
+  const SceneDescription scene = Resolve(R"(, "renderer": "vtk", "vtkScattering": 1.5)", volume);
+  std::vector<std::string> warnings;
+  const auto mapper = MakeMapper(scene, { volume, nullptr }, warnings);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  CHECK(warnings.empty());
+  CHECK(mapper->GetVolumetricScatteringBlending() == 1.5f);
+  CHECK(mapper->GetGlobalIlluminationReach() == 1.0f);
+#else
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0], Catch::Matchers::ContainsSubstring("VTK 9.2 or later"));
+#endif
 }
 
 TEST_CASE("The transform, the background and the sides reach the renderer")

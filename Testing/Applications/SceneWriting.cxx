@@ -41,7 +41,7 @@ const std::string everything = R"({ "volume": { "file": "sub/v.raw", "dimensions
   "camera": { "position": [1,2,3], "focalPoint": [0.1,0,0], "viewUp": [0,1,0], "viewAngle": 20,
     "parallelScale": 5 },
   "image": { "size": [20,30], "background": [0.1,0.2,0.3] }, "sampleDistance": 0.1,
-  "skipEmptySpace": false, "renderer": "vtk" })";
+  "skipEmptySpace": false, "renderer": "vtk", "vtkScattering": 0.5 })";
 }
 
 TEST_CASE("A saved scene says the same as the scene it was saved from")

@@ -61,8 +61,13 @@ TEST_CASE("The summary tells the bounds that are missed")
   CHECK(Summarize(result).WithinBounds);
   result.Rows[0].Error.RootMeanSquare = 1.1;
   CHECK_FALSE(Summarize(result).WithinBounds);
-  CHECK_THAT(Summarize(result).Line, ContainsSubstring("1.10 of 255 at the default step (scene"));
+  CHECK_THAT(Summarize(result).Line,
+    ContainsSubstring("1.10 of 255 at the default step (scene, penumbra rays"));
   result.Rows[0].Error.RootMeanSquare = 0.9;
+  result.Rows.push_back(Row("penumbra auto", 0.5, 1.2, 0.5));
+  CHECK_FALSE(Summarize(result).WithinBounds);
+  CHECK_THAT(Summarize(result).Line, ContainsSubstring("1.20 of 255"));
+  result.Rows.pop_back();
   result.Rows[1].Error.RootMeanSquare = 0.55;
   CHECK_FALSE(Summarize(result).WithinBounds);
 }

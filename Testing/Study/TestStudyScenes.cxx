@@ -11,13 +11,14 @@ TEST_CASE("Every default scene is within a grey level of the reference at half a
   const auto scenes = WriteDefaultScenes(folder.PathOf(""), folder.PathOf("nothing"));
   CHECK(scenes.size() == 7);
   const RenderProgram program(PENUMBRA_RENDER, folder.PathOf(""));
+  const std::string technique = GENERATE("rays", "auto");
   for (const StudyScene& scene : scenes)
   {
     const std::vector<std::string> settings = { "image.size=[48,48]", "sampleDistance=0.5",
-      "shadows.technique=rays" };
+      "shadows.technique=" + technique };
     std::vector<std::string> reference = settings;
     reference.push_back("renderer=reference");
-    INFO(scene.Name);
+    INFO(scene.Name << " by " << technique);
     const RenderResult expected = program.Run({ scene.File, reference });
     const RenderResult rendered = program.Run({ scene.File, settings });
     REQUIRE(expected.End == RenderEnd::Done);
