@@ -22,9 +22,11 @@ FINE = ["shadows.resolution=1", "shadows.nearSteps=4"]
 COARSE = ["shadows.resolution=0.5", "shadows.nearSteps=0"]
 TWO = ["shadows.resolution=1", "shadows.nearSteps=2"]
 FINER = ["shadows.resolution=1.25", "shadows.nearSteps=3"]
+FINEST = ["shadows.resolution=1.5", "shadows.nearSteps=4"]
 MEDIUM = ["shadows.resolution=0.75", "shadows.nearSteps=0"]
 OPTIONS = [("rays", FINE), ("volume", COARSE), ("volume", MEDIUM), ("deep-map", PLAIN), ("volume", FINE),
-           ("deep-map", FINE), ("opacity-map", PLAIN), ("opacity-map", TWO), ("opacity-map", FINER)]
+           ("deep-map", FINE), ("opacity-map", PLAIN), ("opacity-map", TWO), ("opacity-map", FINER), ("opacity-map", FINEST),
+           ("volume", PLAIN)]
 COUNT = len(OPTIONS)
 
 

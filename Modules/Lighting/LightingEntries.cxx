@@ -57,8 +57,6 @@ const char* GetName(ShadowTechnique technique)
 std::vector<RequirementEntry> LightingRequirements::GetEntries() const
 {
   const bool normal = this->NeedsNormal();
-  const bool positional =
-    this->GetNumberOfLights(LightKind::Point) + this->GetNumberOfLights(LightKind::Spot) > 0;
   const bool lit = this->GetNumberOfLights() > 0;
   const int environmentMaps =
     this->NeedsEnvironment() ? static_cast<int>(this->Diffuse) + this->Specular : 0;
@@ -88,7 +86,7 @@ std::vector<RequirementEntry> LightingRequirements::GetEntries() const
     Count("directional lights", this->GetNumberOfLights(LightKind::Directional)),
     Count("point lights", this->GetNumberOfLights(LightKind::Point)),
     Count("spot lights", this->GetNumberOfLights(LightKind::Spot)),
-    Flag("attenuation", positional && this->Attenuation),
+    Flag("attenuation", this->NeedsLightPositions() && this->Attenuation),
     Count("soft shadows", this->GetNumberOfLights(ShadowKind::Soft)),
     Count("hard shadows", this->GetNumberOfLights(ShadowKind::Hard)),
     Choice("shadow technique", GetName(this->Technique), this->GetNumberOfShadowedLights() > 0),

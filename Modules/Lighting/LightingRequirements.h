@@ -156,6 +156,10 @@ struct PENUMBRALIGHTING_EXPORT LightingRequirements
   int GetNumberOfLights(LightKind kind) const;
   int GetNumberOfLights(ShadowKind shadow) const;
   int GetNumberOfShadowedLights() const;
+  bool NeedsLightPositions() const
+  {
+    return this->GetNumberOfLights(LightKind::Point) + this->GetNumberOfLights(LightKind::Spot) > 0;
+  }
   bool IsShaded() const { return this->Optics == OpticalModel::SingleScattering; }
   /// A step's matter may lie anywhere in it, not in its middle alone.
   bool NeedsWholeSegments() const

@@ -44,6 +44,7 @@ void DrawnScene::SetGeometryUniforms(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void DrawnScene::SetRayUniforms(vtkShaderProgram* program) const
 {
+  SetUniform(program, "scene_opaqueEnough", this->OpaqueEnough);
   SetUniform(program, "scene_rayBase", this->Rays.Base);
   SetUniform(program, "scene_rayDirection", this->Rays.Direction);
   SetUniform(program, "scene_rayEye", this->Rays.EyeParameter);

@@ -40,6 +40,7 @@ struct DrawnScene
   bool AnythingVisible = true; ///< false where cropping hides the whole volume
   double UnitDistance = 1.0;   ///< of the scalar opacity, in the volume's own lengths
   MarchingPlan Plan;
+  double OpaqueEnough = 1.0;               ///< where view rays end, as what lies behind is hidden
   std::vector<ShadowCaster> ShadowCasters; ///< whose shadows are looked up
   bool ShadowsMove = false;                ///< and are kept coarser until all is still
   ShadowingMatter Matter;                  ///< what kept shadows depend on

@@ -114,11 +114,6 @@ bool Always(const Needs&, bool)
   return true;
 }
 
-bool IsPositional(const Needs& needs)
-{
-  return needs.GetNumberOfLights(LightKind::Point) + needs.GetNumberOfLights(LightKind::Spot) > 0;
-}
-
 bool Lit(const Needs& needs)
 {
   return needs.GetNumberOfLights() > 0;
@@ -259,11 +254,12 @@ const Snippet PictureSnippets[] = {
     [](const Needs& n, bool) { return n.GetNumberOfLights(ShadowKind::Hard) > 0; } },
   { GlslLightsDirectional,
     [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Directional) > 0; } },
-  { GlslLightFalloff, [](const Needs& n, bool) { return IsPositional(n); } },
-  { GlslAttenuationNone, [](const Needs& n, bool) { return IsPositional(n) && !n.Attenuation; } },
+  { GlslLightFalloff, [](const Needs& n, bool) { return n.NeedsLightPositions(); } },
+  { GlslAttenuationNone,
+    [](const Needs& n, bool) { return n.NeedsLightPositions() && !n.Attenuation; } },
   { GlslAttenuationDistance,
-    [](const Needs& n, bool) { return IsPositional(n) && n.Attenuation; } },
-  { GlslLightPoint, [](const Needs& n, bool) { return IsPositional(n); } },
+    [](const Needs& n, bool) { return n.NeedsLightPositions() && n.Attenuation; } },
+  { GlslLightPoint, [](const Needs& n, bool) { return n.NeedsLightPositions(); } },
   { GlslLightsPoint,
     [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Point) > 0; } },
   { GlslLightsSpot, [](const Needs& n, bool) { return n.GetNumberOfLights(LightKind::Spot) > 0; } },

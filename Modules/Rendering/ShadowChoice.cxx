@@ -12,7 +12,7 @@ namespace penumbra
 {
 namespace
 {
-constexpr std::size_t NumberOfOptions = 9;
+constexpr std::size_t NumberOfOptions = 11;
 
 // Of the options, in their order.
 using OptionErrors = std::array<double, NumberOfOptions>;
@@ -46,7 +46,8 @@ constexpr OptionSettings Settings[NumberOfOptions] = { { ShadowTechnique::Rays, 
   { ShadowTechnique::Volume, 0.5, 0 }, { ShadowTechnique::Volume, 0.75, 0 },
   { ShadowTechnique::DeepMap, 1.0, 0 }, { ShadowTechnique::Volume, 1.0, 4 },
   { ShadowTechnique::DeepMap, 1.0, 4 }, { ShadowTechnique::OpacityMap, 1.0, 0 },
-  { ShadowTechnique::OpacityMap, 1.0, 2 }, { ShadowTechnique::OpacityMap, 1.25, 3 } };
+  { ShadowTechnique::OpacityMap, 1.0, 2 }, { ShadowTechnique::OpacityMap, 1.25, 3 },
+  { ShadowTechnique::OpacityMap, 1.5, 4 }, { ShadowTechnique::Volume, 1.0, 0 } };
 
 const OptionSettings& GetSettings(ShadowOption option)
 {

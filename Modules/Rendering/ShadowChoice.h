@@ -45,7 +45,8 @@ struct ShadowChoiceTask
 
 /// What there is to choose from: rays; volumes of a half and of three quarters of the data's
 /// resolution; deep maps; a volume of its full resolution and deep maps, with the first steps
-/// marched; opacity maps, with the first steps marched too, and finer ones.
+/// marched; opacity maps, with the first steps marched too, and two finer ones; a volume of its
+/// full resolution without marched steps.
 enum class ShadowOption
 {
   Rays,
@@ -56,7 +57,9 @@ enum class ShadowOption
   MarchedDeepMap,
   OpacityMap,
   MarchedOpacityMap,
-  FineOpacityMap
+  FineOpacityMap,
+  FinestOpacityMap,
+  Volume
 };
 
 struct ShadowChoice

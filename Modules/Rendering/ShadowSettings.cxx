@@ -37,7 +37,8 @@ ShadowChoiceTask DescribeChoice(const PictureRequest& request, const DrawnScene&
   const EmptySpaceReport& matter = textures.GetEmptySpaceReport();
   task.VoxelDepth = matter.MeanExtinction * placement.SmallestSpacing;
   task.Occupied = 1.0 * matter.OccupiedBricks / std::max(matter.Bricks, 1);
-  task.ShadowStep = GetSampleDistances(request.Mapper).Shadow / placement.SmallestSpacing;
+  const SampleDistances distances = ShortenSteepSteps(GetSampleDistances(request.Mapper), scene);
+  task.ShadowStep = distances.Shadow / placement.SmallestSpacing;
   task.SpacingRatio = placement.LargestSpacing / placement.SmallestSpacing;
   task.SteepOpacity = scene.Requirements.PreIntegrated;
   const int* size = request.Renderer->GetSize();

@@ -30,16 +30,22 @@ double GetDefaultViewStep(vtkImageData* image)
 }
 
 // Whoever asks for longer steps asks for speed.
-bool IsAccurate(const SampleDistances& asked, const VolumePlacement& placement)
+bool AreAccurate(const SampleDistances& asked, const DrawnScene& scene)
 {
   constexpr double longest = 0.5 + 1e-6;
-  return asked.View <= longest * placement.SmallestSpacing;
+  return asked.View <= longest * scene.Placement.SmallestSpacing;
 }
 
 // Of what is asked, where opacity is steep: the cheapest that bring the error of a step of half a
 // voxel below one grey level of 255 on shells a fifth of a voxel thick.
 constexpr double SteepView = 2.0 / 3.0;
 constexpr double SteepShadow = 0.5;
+
+// What lies behind a ray's end adds at most a quarter of a grey level of 255, or one, as with VTK's
+// own mapper; it is taken to have the colour of what is before. At steps of a voxel, where errors
+// are larger than that, rays that end sooner cost 3 to 13 % less.
+constexpr double AccuratelyOpaque = 0.999;
+constexpr double RoughlyOpaque = 254.0 / 255.0;
 }
 
 //------------------------------------------------------------------------------
@@ -56,14 +62,23 @@ SampleDistances GetSampleDistances(vtkIlluminatedVolumeMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+SampleDistances ShortenSteepSteps(const SampleDistances& asked, const DrawnScene& scene)
+{
+  const LightingRequirements& needs = scene.Requirements;
+  return needs.PreIntegrated && needs.NeedsNormal() && AreAccurate(asked, scene)
+    ? SampleDistances{ SteepView * asked.View, SteepShadow * asked.Shadow }
+    : asked;
+}
+
+//------------------------------------------------------------------------------
 void PrepareSteps(const SampleDistances& asked, int nearSteps, DrawnScene& scene,
   const VolumeTextures& textures, std::vector<std::string>& messages)
 {
   LightingRequirements& needs = scene.Requirements;
-  needs.HalvedSteps = needs.NeedsNormal() && IsAccurate(asked, scene.Placement);
-  const SampleDistances distances = needs.HalvedSteps && needs.PreIntegrated
-    ? SampleDistances{ SteepView * asked.View, SteepShadow * asked.Shadow }
-    : asked;
+  const bool accurate = AreAccurate(asked, scene);
+  needs.HalvedSteps = needs.NeedsNormal() && accurate;
+  scene.OpaqueEnough = accurate ? AccuratelyOpaque : RoughlyOpaque;
+  const SampleDistances distances = ShortenSteepSteps(asked, scene);
   MarchingTask task;
   task.Diagonal = scene.Placement.GetDiagonal();
   task.SampleDistance = distances.View;

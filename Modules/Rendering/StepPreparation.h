@@ -27,6 +27,9 @@ struct SampleDistances
 /// Those the mapper was given, or their defaults.
 SampleDistances GetSampleDistances(vtkIlluminatedVolumeMapper* mapper);
 
+/// Shorter than asked where lit matter's functions change much within a step.
+SampleDistances ShortenSteepSteps(const SampleDistances& asked, const DrawnScene& scene);
+
 /// Plans the marching, once it is known which shadows are kept. nearSteps: steps of a kept shadow's
 /// ray that are marched. Messages say what could not be as asked, one sentence each.
 void PrepareSteps(const SampleDistances& asked, int nearSteps, DrawnScene& scene,

@@ -10,7 +10,7 @@ namespace
 constexpr ShadowOption Options[] = { ShadowOption::Rays, ShadowOption::CoarseVolume,
   ShadowOption::MediumVolume, ShadowOption::DeepMap, ShadowOption::MarchedVolume,
   ShadowOption::MarchedDeepMap, ShadowOption::OpacityMap, ShadowOption::MarchedOpacityMap,
-  ShadowOption::FineOpacityMap };
+  ShadowOption::FineOpacityMap, ShadowOption::FinestOpacityMap, ShadowOption::Volume };
 
 // A bone-like volume of 256^3 on 512 x 512 pixels, a tenth of it occupied.
 ShadowChoiceTask MakeTask()

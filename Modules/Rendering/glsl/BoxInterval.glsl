@@ -15,7 +15,8 @@ vec2 insideBox(vec3 position, vec3 direction)
   vec3 high = (scene_boxHigh - position) * reciprocal;
   vec3 entry = min(low, high);
   vec3 exit = max(low, high);
-  // Along an axis that the ray does not move on it is inside for good, on the very faces too, or never.
+  // Along an axis that the ray does not move on it is inside for good, on the very faces too, or
+  // never.
   vec3 within = step(scene_boxLow, position) * step(position, scene_boxHigh);
   vec3 forGood = (2.0 * within - 1.0) * 1e30;
   bvec3 parallel = lessThan(abs(direction), NoDirection);

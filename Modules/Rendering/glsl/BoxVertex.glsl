@@ -1,7 +1,7 @@
 //VTK::System::Dec
 
-// The box that stands for the volume. Its rasterization only finds the pixels; where a view ray enters
-// and leaves is computed per fragment.
+// The box that stands for the volume. Its rasterization only finds the pixels; where a view ray
+// enters and leaves is computed per fragment.
 
 in vec3 in_vertexPos;
 uniform mat4 scene_boxToClip;

@@ -1,5 +1,5 @@
-// The part of a ray on the side of every clipping plane that its normal points to. What the planes keep
-// is convex, so the part is one interval, and its border is exact.
+// The part of a ray on the side of every clipping plane that its normal points to. What the planes
+// keep is convex, so the part is one interval, and its border is exact.
 
 uniform vec4 scene_clippingPlanes[CLIPPING_PLANES]; // texture coordinates; dot(plane, (p, 1)) >= 0 is kept
 

@@ -1,5 +1,5 @@
-// What a reflection model knows of a sample: cosines between its normal N, the direction to the light L
-// and the direction to the eye V.
+// What a reflection model knows of a sample: cosines between its normal N, the direction to the
+// light L and the direction to the eye V.
 
 uniform vec4 scene_reflection; // parameters of the reflection model
 

@@ -1,5 +1,5 @@
-// What a reflection model knows of a sample: cosines between its normal N, the direction to the light L,
-// the direction to the eye V, and a preferred direction P.
+// What a reflection model knows of a sample: cosines between its normal N, the direction to the
+// light L, the direction to the eye V, and a preferred direction P.
 
 uniform vec3 scene_preferredDirection; // world, unit
 uniform vec4 scene_reflection; // parameters of the reflection model

@@ -1,5 +1,5 @@
-// Counts what rays do, in red, green and blue in place of the colour. Alpha goes on as ever: it ends
-// rays.
+// Counts what rays do, in red, green and blue in place of the colour. Alpha goes on as ever: it
+// ends rays.
 
 vec3 counted = vec3(0.0); // samples of view rays, those of them that are shaded, steps of shadow rays
 

@@ -1,6 +1,6 @@
-// Two planes an axis cut the volume into 27 regions, each shown or hidden (vtkVolumeMapper's cropping
-// region flags). A segment is cut where it first crosses a plane, so that a region ends at its border
-// and not at a sample.
+// Two planes an axis cut the volume into 27 regions, each shown or hidden (vtkVolumeMapper's
+// cropping region flags). A segment is cut where it first crosses a plane, so that a region ends at
+// its border and not at a sample.
 
 uniform vec3 scene_croppingLow;
 uniform vec3 scene_croppingHigh;

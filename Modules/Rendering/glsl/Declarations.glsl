@@ -1,5 +1,5 @@
-// What every program needs. Positions are texture coordinates of the volume, lengths along a ray are
-// lengths of the volume's own frame, directions of light and normals are in the world.
+// What every program needs. Positions are texture coordinates of the volume, lengths along a ray
+// are lengths of the volume's own frame, directions of light and normals are in the world.
 
 uniform sampler3D scene_scalars;
 uniform vec3 scene_voxel;          // one voxel in texture coordinates; 0 along an axis with a single one

@@ -1,13 +1,15 @@
-// Leaps over empty bricks. For each of the eight octants of directions the map holds the edge of the
-// largest empty cube of bricks that begins at a brick and lies ahead of it (distance maps: Cohen and
-// Sheffer 1994). Rays leap by whole steps, so that the samples that are left stay where they are.
+// Leaps over empty bricks. For each of the eight octants of directions the map holds the edge of
+// the largest empty cube of bricks that begins at a brick and lies ahead of it (distance maps:
+// Cohen and Sheffer 1994). Rays leap by whole steps, so that the samples that are left stay where
+// they are.
 
 uniform sampler3D scene_emptyCubes; // edges in bricks, over 255; 0: a brick that may hold matter
 uniform vec3 scene_bricks;          // texture coordinates to bricks
 uniform vec3 scene_brickOffset;
 uniform vec3 scene_lastBrick;       // one less than their count along each axis
 
-// Steps from a position to the far side of the cube that it is in, or of its brick where there is none.
+// Steps from a position to the far side of the cube that it is in, or of its brick where there is
+// none.
 float stepsToFarSide(vec3 position, vec3 segment, out bool empty)
 {
   vec3 extent = segment * scene_bricks;

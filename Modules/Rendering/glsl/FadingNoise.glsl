@@ -1,5 +1,6 @@
-// A normal is as certain as its gradient stands out from noise: w = 1 - exp(-(|g| / (k s))^2), s the root
-// mean square of what noise alone gives. The rest is reflected as by normals of all directions.
+// A normal is as certain as its gradient stands out from noise: w = 1 - exp(-(|g| / (k s))^2), s
+// the root mean square of what noise alone gives. The rest is reflected as by normals of all
+// directions.
 
 uniform mat3 scene_gradientToNoise;  // difference per voxel to multiples of k s
 uniform float scene_fadedReflection; // mean of N.L over all normals

@@ -1,5 +1,5 @@
-// Fresnel's reflectance of unpolarized light at a dielectric of index of refraction n (Cook and Torrance
-// 1982; thesis eq. 14), from the cosine of the angle of incidence. 1 in total reflection.
+// Fresnel's reflectance of unpolarized light at a dielectric of index of refraction n (Cook and
+// Torrance 1982; thesis eq. 14), from the cosine of the angle of incidence. 1 in total reflection.
 
 float fresnelReflectance(float cosine, float n)
 {

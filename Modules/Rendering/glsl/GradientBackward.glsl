@@ -1,5 +1,5 @@
-// Backward differences: the value of the sample less the interpolated one a voxel behind, per voxel.
-// Values are clamped at the outermost voxel centres by the texture itself.
+// Backward differences: the value of the sample less the interpolated one a voxel behind, per
+// voxel. Values are clamped at the outermost voxel centres by the texture itself.
 
 vec3 gradientAt(vec3 position)
 {

@@ -1,5 +1,5 @@
-// Central differences: interpolated values one voxel to each side, per voxel (thesis eq. 26). Values
-// are clamped at the outermost voxel centres by the texture itself.
+// Central differences: interpolated values one voxel to each side, per voxel (thesis eq. 26).
+// Values are clamped at the outermost voxel centres by the texture itself.
 
 vec3 gradientAt(vec3 position)
 {

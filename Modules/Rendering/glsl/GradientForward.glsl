@@ -1,5 +1,5 @@
-// Forward differences: the interpolated value one voxel ahead less that of the sample, per voxel (thesis
-// eq. 22). Values are clamped at the outermost voxel centres by the texture itself.
+// Forward differences: the interpolated value one voxel ahead less that of the sample, per voxel
+// (thesis eq. 22). Values are clamped at the outermost voxel centres by the texture itself.
 
 vec3 gradientAt(vec3 position)
 {

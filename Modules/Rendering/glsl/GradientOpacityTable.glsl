@@ -1,4 +1,5 @@
-// Factor of the extinction by the gradient's magnitude in the own frame, in scalar units per mean voxel.
+// Factor of the extinction by the gradient's magnitude in the own frame, in scalar units per mean
+// voxel.
 
 uniform sampler1D scene_gradientOpacity;
 uniform mat3 scene_gradientToTable;      // difference per voxel to the table's range

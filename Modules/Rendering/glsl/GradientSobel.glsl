@@ -1,6 +1,7 @@
-// Sobel's operator in three dimensions (thesis eq. 23 to 25): interpolated values of the 26 neighbours,
-// one voxel away along each axis, weighted 1-3-1/3-6-3/1-3-1 across the axis of the difference. The
-// weights of a plane sum to 22, two voxels lie between the planes. No loop: drivers count iterations.
+// Sobel's operator in three dimensions (thesis eq. 23 to 25): interpolated values of the 26
+// neighbours, one voxel away along each axis, weighted 1-3-1/3-6-3/1-3-1 across the axis of the
+// difference. The weights of a plane sum to 22, two voxels lie between the planes. No loop: drivers
+// count iterations.
 
 // Three neighbours along x, at offsets of y and z that are not both 0.
 void addRow(vec3 position, float y, float z, inout vec3 sum)

@@ -1,6 +1,6 @@
-// A deep shadow map (Lokovic and Veach 2000): a texel holds how dark it grows along its ray, as a piecewise
-// linear function of eight nodes, two of distance and darkness to a slice's texel. The functions of the four
-// rays around a point are averaged, weighted by how near they are.
+// A deep shadow map (Lokovic and Veach 2000): a texel holds how dark it grows along its ray, as a
+// piecewise linear function of eight nodes, two of distance and darkness to a slice's texel. The
+// functions of the four rays around a point are averaged, weighted by how near they are.
 
 uniform sampler3D scene_shadowMaps;
 
@@ -27,7 +27,8 @@ float darknessAlongRay(ivec3 texel, float distance, out float valid)
   }
 }
 
-// Beyond the border of an octahedral map it goes on mirrored; beyond that of others there is nothing.
+// Beyond the border of an octahedral map it goes on mirrored; beyond that of others there is
+// nothing.
 ivec2 wrappedTexel(ivec2 texel, int size, int projection)
 {
   if (projection == OctahedralRays)

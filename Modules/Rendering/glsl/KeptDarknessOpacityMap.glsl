@@ -1,6 +1,6 @@
-// An opacity shadow map (Kim and Neumann 2001): texels tell how dark it has grown along their rays, at layers of
-// one distance after another. The second component is 0 where a ray passes beside the visible matter and tells
-// nothing; texels around the map's border hold what lies beyond it.
+// An opacity shadow map (Kim and Neumann 2001): texels tell how dark it has grown along their rays,
+// at layers of one distance after another. The second component is 0 where a ray passes beside the
+// visible matter and tells nothing; texels around the map's border hold what lies beyond it.
 
 uniform sampler3D scene_opacityMaps;
 uniform vec2 scene_opacityMapTexels;    // scale and offset from place to texture coordinates

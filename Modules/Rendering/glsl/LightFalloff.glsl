@@ -7,7 +7,8 @@ float distanceAttenuation(float c1, float c2, float c3, float distance)
   return denominator > 1.0f ? 1.0f / denominator : 1.0f;
 }
 
-// (cos t)^exponent within the cone, 0 outside; cosines of the angle from the axis and of the half angle.
+// (cos t)^exponent within the cone, 0 outside; cosines of the angle from the axis and of the half
+// angle.
 float coneFalloff(float cosine, float coneCosine, float exponent)
 {
   if (cosine < coneCosine || cosine <= 0.0f)

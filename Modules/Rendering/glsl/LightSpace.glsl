@@ -1,5 +1,5 @@
-// Rays of a light as places on its map: of parallel rays, of rays from a point within a cone, or of rays
-// from a point all around, by octahedral coordinates (Meyer et al. 2010).
+// Rays of a light as places on its map: of parallel rays, of rays from a point within a cone, or of
+// rays from a point all around, by octahedral coordinates (Meyer et al. 2010).
 
 const int ParallelRays = 0;
 const int PerspectiveRays = 1;

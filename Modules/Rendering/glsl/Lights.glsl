@@ -1,5 +1,5 @@
-// What the loops over the lights share. Lights are sorted by kind and, within a kind, by shadow state:
-// none, soft, hard.
+// What the loops over the lights share. Lights are sorted by kind and, within a kind, by shadow
+// state: none, soft, hard.
 
 uniform vec3 scene_lightPosition[LIGHTS];  // directional: direction of the shadow ray; else the position
 uniform vec3 scene_lightDirection[LIGHTS]; // world; directional: towards the light; spot: its axis
@@ -40,7 +40,8 @@ float shadowReach(Reflection reflected, float end)
   return any(greaterThan(reflected.diffuse + reflected.specular, vec3(0.0))) ? end : 0.0;
 }
 
-// Beyond this optical depth what a soft shadow lets through is under a tenth of a grey level of 255.
+// Beyond this optical depth what a soft shadow lets through is under a tenth of a grey level of
+// 255.
 float darkeningDepth(Reflection reflected)
 {
   vec3 light = reflected.diffuse + reflected.specular;

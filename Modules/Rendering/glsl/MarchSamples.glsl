@@ -1,11 +1,11 @@
-// Composites sample after sample, for colours that cost no more than looking for the next matter would.
-// Between leaps it marches to the far side of the brick.
+// Composites sample after sample, for colours that cost no more than looking for the next matter
+// would. Between leaps it marches to the far side of the brick.
 
 vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
 {
   vec3 segment = ray.direction * scene_sampleDistance;
   int index = first;
-  while (index < last && accumulated.a < OpaqueEnough)
+  while (index < last && accumulated.a < scene_opaqueEnough)
   {
     int stop = index;
     bool empty = true;
@@ -16,7 +16,7 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
     }
     stop = min(stop, last);
     RayEnd rayEnd = rayEndAt(ray.entry + float(index) * segment);
-    for (; index < stop && accumulated.a < OpaqueEnough; ++index)
+    for (; index < stop && accumulated.a < scene_opaqueEnough; ++index)
     {
       float stepLength = stepLengthOf(ray, index);
       vec3 position = stepMiddle(ray, index);

@@ -9,7 +9,7 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
   RayEnd rayEnd = rayEndAt(ray.entry + float(index) * segment);
   LitStep lit;
   bool halfLeft = false;
-  while ((index < last || halfLeft) && accumulated.a < OpaqueEnough)
+  while ((index < last || halfLeft) && accumulated.a < scene_opaqueEnough)
   {
     vec3 position;
     SegmentMatter matter;

@@ -1,6 +1,6 @@
-// A voxel of the mask hides all that is nearest to it. A segment is cut at the first face of a voxel
-// that it crosses on each axis; the sample moves to the middle of what is shown. For segments up to
-// one voxel this is exact at the mask's border.
+// A voxel of the mask hides all that is nearest to it. A segment is cut at the first face of a
+// voxel that it crosses on each axis; the sample moves to the middle of what is shown. For segments
+// up to one voxel this is exact at the mask's border.
 
 uniform sampler3D scene_mask;
 

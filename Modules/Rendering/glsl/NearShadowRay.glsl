@@ -1,5 +1,5 @@
-// Optical depth of the part towards a light that is marched: many steps, or the whole ray of a light that is
-// not kept.
+// Optical depth of the part towards a light that is marched: many steps, or the whole ray of a
+// light that is not kept.
 
 float nearShadowDepth(vec3 position, ShadowSegment towardsLight, float marched)
 {

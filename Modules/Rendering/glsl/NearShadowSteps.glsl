@@ -1,5 +1,5 @@
-// Optical depth of the first steps towards a light: few enough to march them in a row, which is cheaper than
-// to look for an earlier end.
+// Optical depth of the first steps towards a light: few enough to march them in a row, which is
+// cheaper than to look for an earlier end.
 
 float nearShadowDepth(vec3 position, ShadowSegment towardsLight, float marched)
 {

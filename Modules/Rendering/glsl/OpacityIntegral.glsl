@@ -1,5 +1,5 @@
-// Extinction of a scalar, and the integral of extinction over scalars up to it, from a table that is even
-// in the scalar. Beyond its ends the extinction is constant.
+// Extinction of a scalar, and the integral of extinction over scalars up to it, from a table that
+// is even in the scalar. Beyond its ends the extinction is constant.
 
 uniform sampler1D scene_extinction;
 uniform vec2 scene_tableCoordinate; // scale and offset from texture value to table coordinate

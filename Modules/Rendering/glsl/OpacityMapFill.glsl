@@ -1,5 +1,6 @@
-// Some layers of one light's opacity shadow map (Kim and Neumann 2001): how dark it has grown along the ray of
-// each texel, at one distance after another. The optical depth so far is handed on from draw to draw.
+// Some layers of one light's opacity shadow map (Kim and Neumann 2001): how dark it has grown along
+// the ray of each texel, at one distance after another. The optical depth so far is handed on from
+// draw to draw.
 
 uniform float scene_mapTexels;       // along the map, a border of one around it included
 uniform int scene_mapLayer;          // this draw's first

@@ -1,6 +1,6 @@
-// Extinction of a scalar, and its colour, by linear interpolation between the points of the transfer functions
-// themselves, for functions too fine or too steep for an even table. Row 0 holds the points' scalars
-// relative to scene_pointOffset, ascending; row 1 colour and opacity.
+// Extinction of a scalar, and its colour, by linear interpolation between the points of the
+// transfer functions themselves, for functions too fine or too steep for an even table. Row 0 holds
+// the points' scalars relative to scene_pointOffset, ascending; row 1 colour and opacity.
 
 uniform sampler2D scene_points;
 uniform int scene_pointSearchSteps;      // halvings that leave one interval

@@ -1,6 +1,6 @@
-// A surface of mirroring facets (Cook and Torrance 1982; thesis eq. 13 to 17), but for Fresnel's term,
-// which is D G / (pi N.V). G / N.V is taken as one minimum, which has no pole at grazing views.
-// parameters: x the root mean square slope m, at least 0.001; y the constant of the Gaussian
+// A surface of mirroring facets (Cook and Torrance 1982; thesis eq. 13 to 17), but for Fresnel's
+// term, which is D G / (pi N.V). G / N.V is taken as one minimum, which has no pole at grazing
+// views. parameters: x the root mean square slope m, at least 0.001; y the constant of the Gaussian
 // distribution, or below 0 for Beckmann's.
 
 float diffuseReflection(ReflectionCosines c, vec4 parameters)

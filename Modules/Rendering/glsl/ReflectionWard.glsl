@@ -1,5 +1,5 @@
-// Ward's isotropic lobe (Ward 1992; thesis eq. 12), a Gaussian of the slope tan g of the half vector H.
-// parameters: x the roughness, at least 0.001.
+// Ward's isotropic lobe (Ward 1992; thesis eq. 12), a Gaussian of the slope tan g of the half
+// vector H. parameters: x the roughness, at least 0.001.
 
 float diffuseReflection(ReflectionCosines c, vec4 parameters)
 {

@@ -1,8 +1,8 @@
-// Ward's lobe of a brushed surface (Ward 1992; thesis eq. 11), a Gaussian of the slopes of the half vector
-// H along the preferred direction P, projected on the tangent plane, and across it. Where P is within a
-// degree of the normal it has no projection worth the name, and the exponent goes over to the isotropic
-// one of the same peak.
-// parameters: x the roughness along P, y across, both at least 0.001.
+// Ward's lobe of a brushed surface (Ward 1992; thesis eq. 11), a Gaussian of the slopes of the half
+// vector H along the preferred direction P, projected on the tangent plane, and across it. Where P
+// is within a degree of the normal it has no projection worth the name, and the exponent goes over
+// to the isotropic one of the same peak. parameters: x the roughness along P, y across, both at
+// least 0.001.
 
 float diffuseReflection(ReflectionCosines c, vec4 parameters)
 {

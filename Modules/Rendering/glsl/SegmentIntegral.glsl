@@ -1,7 +1,7 @@
-// Optical depth of one step of a ray along which the scalar changes evenly: the mean extinction over all
-// scalars between its ends, which no transfer function is too steep for (pre-integrated classification,
-// Engel, Kraus and Ertl 2001, by integrals over one scalar; what a step hides of itself counts in its
-// depth, not in its colour).
+// Optical depth of one step of a ray along which the scalar changes evenly: the mean extinction
+// over all scalars between its ends, which no transfer function is too steep for (pre-integrated
+// classification, Engel, Kraus and Ertl 2001, by integrals over one scalar; what a step hides of
+// itself counts in its depth, not in its colour).
 
 uniform float scene_integralRounding; // differences of the integral below it are rounding
 

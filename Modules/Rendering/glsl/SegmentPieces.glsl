@@ -1,6 +1,7 @@
-// What is seen of a step that is lit: the scalar along it is taken for the parabola through its ends
-// and its middle, cut into four pieces along which it changes evenly. What the pieces hide of each
-// other counts in the step's colour, and the step is lit where the matter is that is seen of it.
+// What is seen of a step that is lit: the scalar along it is taken for the parabola through its
+// ends and its middle, cut into four pieces along which it changes evenly. What the pieces hide of
+// each other counts in the step's colour, and the step is lit where the matter is that is seen of
+// it.
 
 struct SeenSegment
 {

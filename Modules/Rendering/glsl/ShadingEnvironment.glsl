@@ -1,5 +1,6 @@
-// c = C ka sum(Ia) + C kd Ed(N) + ks Es(R): the surroundings, filtered by the cosine and by its power, are
-// seen at the normal N and at R, the direction to the eye mirrored at it (Miller and Hoffman 1984).
+// c = C ka sum(Ia) + C kd Ed(N) + ks Es(R): the surroundings, filtered by the cosine and by its
+// power, are seen at the normal N and at R, the direction to the eye mirrored at it (Miller and
+// Hoffman 1984).
 
 uniform vec3 scene_ambient; // sum of the lights' ambient colours times the material's factor
 

@@ -1,7 +1,8 @@
-// Optical depth towards a light from its map, which tells how dark it has grown along its rays. Darkness is
-// the root of the optical depth over the largest that is told apart.
+// Optical depth towards a light from its map, which tells how dark it has grown along its rays.
+// Darkness is the root of the optical depth over the largest that is told apart.
 //
-// Near the sample matter changes faster than texels tell: the first steps towards the light are marched.
+// Near the sample matter changes faster than texels tell: the first steps towards the light are
+// marched.
 
 // Of what lies beyond the marched steps.
 float shadowDarkness(vec3 position, int light, ShadowSegment towardsLight)

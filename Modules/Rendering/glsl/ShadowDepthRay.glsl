@@ -1,5 +1,5 @@
-// Optical depth towards a light by a ray that is marched whole. Depths beyond the largest need not be told
-// apart.
+// Optical depth towards a light by a ray that is marched whole. Depths beyond the largest need not
+// be told apart.
 
 float shadowDepth(vec3 position, int light, ShadowSegment towardsLight, float largest)
 {

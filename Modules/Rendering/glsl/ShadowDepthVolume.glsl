@@ -1,11 +1,12 @@
-// Optical depth towards a light, computed beforehand over the visible box: up to four lights to a texel's
-// components, further ones in blocks of slices behind each other. Texel centres reach from face to face
-// of the box, so that nothing of another block or from outside the box is mixed in. A texel holds the root
-// of the depth over the largest that is told apart: behind a smooth surface the depth grows with the square
-// of the distance, so that its root is what interpolation follows best, and what eight bits tell best.
+// Optical depth towards a light, computed beforehand over the visible box: up to four lights to a
+// texel's components, further ones in blocks of slices behind each other. Texel centres reach from
+// face to face of the box, so that nothing of another block or from outside the box is mixed in. A
+// texel holds the root of the depth over the largest that is told apart: behind a smooth surface
+// the depth grows with the square of the distance, so that its root is what interpolation follows
+// best, and what eight bits tell best.
 //
-// Near the sample matter changes faster than texels tell: the first steps towards the light are marched,
-// and texels hold what lies beyond as many.
+// Near the sample matter changes faster than texels tell: the first steps towards the light are
+// marched, and texels hold what lies beyond as many.
 
 uniform sampler3D scene_shadowVolume;
 uniform vec3 scene_shadowVolumeScale;            // texture coordinates of the volume to those of a block

@@ -1,6 +1,6 @@
-// Opaque occluders by a shadow map, whose texels are dark from the first hit on, where the accumulated
-// opacity exceeds the light's threshold: percentage-closer filtering (Reeves, Salesin and Cook 1987) averages
-// what the four rays around a point say.
+// Opaque occluders by a shadow map, whose texels are dark from the first hit on, where the
+// accumulated opacity exceeds the light's threshold: percentage-closer filtering (Reeves, Salesin
+// and Cook 1987) averages what the four rays around a point say.
 
 float hardVisibility(vec3 position, int light, ShadowSegment towardsLight)
 {

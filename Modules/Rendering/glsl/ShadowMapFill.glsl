@@ -1,6 +1,6 @@
-// One light's deep shadow map: along the ray of each texel the darkness, as the piecewise linear function
-// of eight nodes or fewer that stays within a tolerance of it (Lokovic and Veach 2000). The tolerance grows
-// where eight are too few. Or a shadow map: two nodes, at the first hit.
+// One light's deep shadow map: along the ray of each texel the darkness, as the piecewise linear
+// function of eight nodes or fewer that stays within a tolerance of it (Lokovic and Veach 2000).
+// The tolerance grows where eight are too few. Or a shadow map: two nodes, at the first hit.
 
 uniform float scene_mapFirstHit; // optical depth of it; less than 0: none is made
 uniform float scene_mapTolerance;
@@ -35,8 +35,8 @@ vec2 slopesTo(vec2 node, vec2 point, float tolerance)
   return vec2(max(point.y - tolerance - node.y, 0.0), point.y + tolerance - node.y) / run;
 }
 
-// The last step's end before a point, of those that a leap has passed over, that the flattest line from a node
-// comes within the tolerance of.
+// The last step's end before a point, of those that a leap has passed over, that the flattest line
+// from a node comes within the tolerance of.
 vec2 lastWithin(vec2 node, vec2 before, vec2 here, vec2 slopes, float tolerance)
 {
   float reach = slopes.x > 0.0 ? node.x + (before.y + tolerance - node.y) / slopes.x : before.x;
@@ -45,8 +45,8 @@ vec2 lastWithin(vec2 node, vec2 before, vec2 here, vec2 slopes, float tolerance)
   return vec2(before.x + clamp(steps, 0.0, max(passed, 0.0)) * scene_shadowSampleDistance, before.y);
 }
 
-// False where the nodes are too few. Every line from the last node keeps within the slopes so far; the first
-// point that none of them reaches makes a node of the point before it.
+// False where the nodes are too few. Every line from the last node keeps within the slopes so far;
+// the first point that none of them reaches makes a node of the point before it.
 bool followDarkness(MapRay ray, float tolerance, out vec2 node[Nodes])
 {
   for (int i = 0; i < Nodes; ++i)

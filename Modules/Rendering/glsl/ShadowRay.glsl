@@ -1,6 +1,6 @@
-// Optical depth from a sample towards a light, between two distances, as far as matter is visible. The
-// ray may stop once it is enough. Four steps are taken at a time: drivers that bound the iterations of
-// a fragment count a quarter of them.
+// Optical depth from a sample towards a light, between two distances, as far as matter is visible.
+// The ray may stop once it is enough. Four steps are taken at a time: drivers that bound the
+// iterations of a fragment count a quarter of them.
 
 // No ray has more: steps are made longer before.
 const float MostShadowSteps = 1e6;

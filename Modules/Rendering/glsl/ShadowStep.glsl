@@ -1,4 +1,5 @@
-// The steps that a shadow ray is cut into, of the shadow sample distance each, the last one shorter.
+// The steps that a shadow ray is cut into, of the shadow sample distance each, the last one
+// shorter.
 
 uniform float scene_shadowSampleDistance;
 

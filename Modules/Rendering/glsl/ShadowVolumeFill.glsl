@@ -1,7 +1,7 @@
-// The root of the optical depth towards one light, over the largest that is told apart, at the texel
-// centres of one slice of the shadow volume, by a shadow ray from each. A texel in matter that is hidden
-// holds what a ray sees from where matter is visible again, so that samples beside it interpolate what they
-// would see themselves.
+// The root of the optical depth towards one light, over the largest that is told apart, at the
+// texel centres of one slice of the shadow volume, by a shadow ray from each. A texel in matter
+// that is hidden holds what a ray sees from where matter is visible again, so that samples beside
+// it interpolate what they would see themselves.
 
 in vec2 texCoord;
 uniform vec3 scene_shadowTexels;       // their number along each axis, at least 2

@@ -1,5 +1,5 @@
-// A step that much is seen of is lit in two halves: over half a voxel of measured data the normal turns
-// far enough to be seen.
+// A step that much is seen of is lit in two halves: over half a voxel of measured data the normal
+// turns far enough to be seen.
 
 struct LitStep
 {
@@ -10,7 +10,8 @@ struct LitStep
 
 const float HalvedWeight = 0.1;
 
-// Makes of a step that is to be halved its first half, of a step whose first half was lit its second.
+// Makes of a step that is to be halved its first half, of a step whose first half was lit its
+// second.
 void takeHalf(vec4 accumulated, vec3 direction, inout bool halfLeft, inout LitStep lit,
   inout vec3 position, inout SegmentMatter matter, inout float depth)
 {

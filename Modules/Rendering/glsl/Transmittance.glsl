@@ -1,5 +1,5 @@
-// Opacity of matter of optical depth tau, 1 - exp(-tau) (Max 1995, eq. 5). The series keeps the digits
-// that the difference would lose where tau is small.
+// Opacity of matter of optical depth tau, 1 - exp(-tau) (Max 1995, eq. 5). The series keeps the
+// digits that the difference would lose where tau is small.
 
 float opacityOfDepth(float tau)
 {
@@ -10,7 +10,8 @@ float opacityOfDepth(float tau)
   return 1.0f - exp(-tau);
 }
 
-// Extinction per unit distance of matter of this opacity per unit distance, at most that of 1 - 2^-24.
+// Extinction per unit distance of matter of this opacity per unit distance, at most that of 1 -
+// 2^-24.
 float extinctionOfOpacity(float opacity)
 {
   float bounded = max(min(opacity, 0.99999994f), 0.0f);

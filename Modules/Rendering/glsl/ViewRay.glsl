@@ -1,6 +1,7 @@
-// L = integral of s c T, front to back along the view ray from its entry (or from the eye, where that is
-// inside) to its exit or to opaque geometry. The ray is cut into steps of the sample distance, the last
-// one shorter; each sample lies in the middle of its step, so the sum converges with second order.
+// L = integral of s c T, front to back along the view ray from its entry (or from the eye, where
+// that is inside) to its exit or to opaque geometry. The ray is cut into steps of the sample
+// distance, the last one shorter; each sample lies in the middle of its step, so the sum converges
+// with second order.
 
 uniform vec2 scene_viewportOrigin;
 uniform vec2 scene_viewportScale;       // 2 over the viewport's size

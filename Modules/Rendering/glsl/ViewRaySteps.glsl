@@ -8,13 +8,13 @@ struct ViewRay
   vec3 view;      // towards the eye, in the world
 };
 
-// A ray ends where what lies behind adds at most a quarter of a grey level of 255. That is taken to have
-// the colour of what lies before.
-const float OpaqueEnough = 0.999;
+uniform float scene_opaqueEnough;
 
+// A ray ends where it has become opaque enough. What lies behind is taken to have the colour of what
+// lies before.
 vec4 completed(vec4 accumulated)
 {
-  return accumulated.a < OpaqueEnough ? accumulated : accumulated / accumulated.a;
+  return accumulated.a < scene_opaqueEnough ? accumulated : accumulated / accumulated.a;
 }
 
 float stepLengthOf(ViewRay ray, int index)

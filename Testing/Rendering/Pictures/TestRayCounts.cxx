@@ -67,6 +67,19 @@ TEST_CASE("Ray counts: opaque matter ends rays")
   CHECK(scene->Mapper->GetNumberOfShadowSteps() == Rays);
 }
 
+TEST_CASE("Ray counts: a ray ends where what is behind adds a grey level, or a quarter of it")
+{
+  auto scene = MakeSlab();
+  scene->Opacity->AddPoint(0.0, 0.7);
+  scene->Render();
+  // 0.3^5 < 1 / 255 < 0.3^4
+  CHECK(scene->Mapper->GetNumberOfSamples() == Rays * 5);
+  scene->Mapper->SetSampleDistance(0.5f);
+  scene->Render();
+  // 0.3^6 < 1 / 1000 < 0.3^5.5
+  CHECK(scene->Mapper->GetNumberOfSamples() == Rays * 12);
+}
+
 TEST_CASE("Ray counts: matter without light is sampled, and shaded nowhere")
 {
   auto scene = MakeSlab();
