@@ -100,7 +100,7 @@ std::string FindWrongLoops(const LightingRequirements& requirements, const std::
   {
     for (int shadow = 0; shadow < NumberOfShadowKinds; ++shadow)
     {
-      wrong += Check(text, { "int light = " + kinds[kind] + shadows[shadow] + "_FIRST;" },
+      wrong += Check(text, { "light = " + kinds[kind] + shadows[shadow] + "_FIRST;" },
         requirements.Lights[kind][shadow] > 0);
     }
   }

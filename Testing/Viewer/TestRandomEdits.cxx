@@ -6,6 +6,9 @@
 
 #include <vtkImageData.h>
 
+#include <algorithm>
+#include <limits>
+
 #if __GLIBC__ * 100 + __GLIBC_MINOR__ >= 233
 #include <malloc.h>
 #endif
@@ -49,21 +52,21 @@ TEST_CASE(
   session.Window.Save(saved);
   CHECK(CompareImages(picture, RenderScene(saved, session.Files)).rmse <= 1.0);
 
-  // The first times fill the caches of shader programs, VTK's and OpenGL's, and what allocators
-  // keep. The same again needs nothing new: what grows then is a leak. Both are looked at with the
-  // last picture standing, since what the scene itself needs differs from edit to edit.
-  const auto startAgain = [&]
+  // The same edits again need nothing new, but for programs: how many kinds of frames are drawn
+  // between edits is a matter of time, and each kind that comes up fills the caches of programs,
+  // VTK's and OpenGL's, until there are no more. What grows every time is a leak. One picture or
+  // texture leaked with each edit would be 100 MiB and more; the caches alone grow by 70 MiB at
+  // first, and by less than 15 when most are there.
+  constexpr double most = 30.0;
+  double leastGrowth = std::numeric_limits<double>::max();
+  for (int round = 0; round < 6 && leastGrowth > most; ++round)
   {
+    const double memoryBefore = MemoryInUse();
     session.Document.GetHistory()->setIndex(0);
     session.Document.GetHistory()->clear();
     session.Window.GetView()->SetCamera(camera);
-  };
-  startAgain();
-  editOften();
-  const double memoryBefore = MemoryInUse();
-  startAgain();
-  CHECK(CompareImages(picture, editOften()).rmse == 0.0);
-  // The third time grows by 9 MiB; one picture or texture leaked with each edit would be 100 MiB
-  // and more, every time.
-  CHECK(MemoryInUse() - memoryBefore < 30.0);
+    CHECK(CompareImages(picture, editOften()).rmse == 0.0);
+    leastGrowth = std::min(leastGrowth, MemoryInUse() - memoryBefore);
+  }
+  CHECK(leastGrowth <= most);
 }

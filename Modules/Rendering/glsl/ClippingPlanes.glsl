@@ -5,7 +5,8 @@ uniform vec4 scene_clippingPlanes[CLIPPING_PLANES]; // texture coordinates; dot(
 
 vec2 keptByPlanes(vec2 interval, vec3 position, vec3 direction)
 {
-  for (int plane = 0; plane < CLIPPING_PLANES; ++plane)
+  int plane = 0;
+  do
   {
     float height = dot(scene_clippingPlanes[plane], vec4(position, 1.0));
     float slope = dot(scene_clippingPlanes[plane].xyz, direction);
@@ -21,6 +22,6 @@ vec2 keptByPlanes(vec2 interval, vec3 position, vec3 direction)
     {
       interval.y = interval.x;
     }
-  }
+  } while (++plane < CLIPPING_PLANES);
   return interval;
 }

@@ -8,22 +8,26 @@ Illumination directionalLight(ShadedPoint point, int light)
 
 void addDirectionalLights(ShadedPoint point, inout Reflection sum)
 {
+  int light;
 #if DIRECTIONAL_UNSHADOWED > 0
-  for (int light = DIRECTIONAL_FIRST; light < DIRECTIONAL_FIRST + DIRECTIONAL_UNSHADOWED; ++light)
+  light = DIRECTIONAL_FIRST;
+  do
   {
     addUnshadowedLight(point, light, directionalLight(point, light), sum);
-  }
+  } while (++light < DIRECTIONAL_FIRST + DIRECTIONAL_UNSHADOWED);
 #endif
 #if DIRECTIONAL_SOFT > 0
-  for (int light = DIRECTIONAL_SOFT_FIRST; light < DIRECTIONAL_SOFT_FIRST + DIRECTIONAL_SOFT; ++light)
+  light = DIRECTIONAL_SOFT_FIRST;
+  do
   {
     addSoftLight(point, light, directionalLight(point, light), sum);
-  }
+  } while (++light < DIRECTIONAL_SOFT_FIRST + DIRECTIONAL_SOFT);
 #endif
 #if DIRECTIONAL_HARD > 0
-  for (int light = DIRECTIONAL_HARD_FIRST; light < DIRECTIONAL_HARD_FIRST + DIRECTIONAL_HARD; ++light)
+  light = DIRECTIONAL_HARD_FIRST;
+  do
   {
     addHardLight(point, light, directionalLight(point, light), sum);
-  }
+  } while (++light < DIRECTIONAL_HARD_FIRST + DIRECTIONAL_HARD);
 #endif
 }

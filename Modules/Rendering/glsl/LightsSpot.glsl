@@ -12,22 +12,26 @@ Illumination spotLight(ShadedPoint point, int light)
 
 void addSpotLights(ShadedPoint point, inout Reflection sum)
 {
+  int light;
 #if SPOT_UNSHADOWED > 0
-  for (int light = SPOT_FIRST; light < SPOT_FIRST + SPOT_UNSHADOWED; ++light)
+  light = SPOT_FIRST;
+  do
   {
     addUnshadowedLight(point, light, spotLight(point, light), sum);
-  }
+  } while (++light < SPOT_FIRST + SPOT_UNSHADOWED);
 #endif
 #if SPOT_SOFT > 0
-  for (int light = SPOT_SOFT_FIRST; light < SPOT_SOFT_FIRST + SPOT_SOFT; ++light)
+  light = SPOT_SOFT_FIRST;
+  do
   {
     addSoftLight(point, light, spotLight(point, light), sum);
-  }
+  } while (++light < SPOT_SOFT_FIRST + SPOT_SOFT);
 #endif
 #if SPOT_HARD > 0
-  for (int light = SPOT_HARD_FIRST; light < SPOT_HARD_FIRST + SPOT_HARD; ++light)
+  light = SPOT_HARD_FIRST;
+  do
   {
     addHardLight(point, light, spotLight(point, light), sum);
-  }
+  } while (++light < SPOT_HARD_FIRST + SPOT_HARD);
 #endif
 }

@@ -4,26 +4,45 @@
 vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
 {
   vec3 segment = ray.direction * scene_sampleDistance;
-  int index = first;
-  index += emptySteps(stepMiddle(ray, index), segment);
+  int index = first + emptySteps(stepMiddle(ray, first), segment);
+  if (index >= last || accumulated.a >= scene_opaqueEnough)
+  {
+    return accumulated;
+  }
   RayEnd rayEnd = rayEndAt(ray.entry + float(index) * segment);
   LitStep lit;
+  vec3 position;
+  SegmentMatter matter;
   bool halfLeft = false;
-  while ((index < last || halfLeft) && accumulated.a < scene_opaqueEnough)
+  while (true)
   {
-    vec3 position;
-    SegmentMatter matter;
     float depth = 0.0;
-    while (index < last && depth <= 0.0 && !halfLeft)
+    while (true)
     {
+      if (halfLeft)
+      {
+        break;
+      }
       lit = LitStep(rayEnd, stepMiddle(ray, index), stepLengthOf(ray, index));
       position = lit.middle;
       countSample();
       depth = segmentDepth(rayEnd, position, ray.direction, lit.length, matter);
       ++index;
-      int leap = emptySteps(stepMiddle(ray, index), segment);
-      index += leap;
-      rayEnd = rayEndAfterLeap(rayEnd, leap, ray.entry + float(index) * segment);
+      index += leapOver(emptySteps(stepMiddle(ray, index), segment), rayEnd);
+      if (depth > 0.0)
+      {
+        break;
+      }
+      if (index >= last)
+      {
+        index = last;
+        rayEnd = NoEnd;
+        lit = LitStep(NoEnd, ray.entry, 0.0);
+        position = ray.entry;
+        matter = NoMatter;
+        depth = 0.0;
+        break;
+      }
     }
     takeHalf(accumulated, ray.direction, halfLeft, lit, position, matter, depth);
     if (depth > 0.0)
@@ -32,6 +51,15 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
       SeenSegment seen = seenSegment(accumulated, matter, position, ray.direction * lit.length);
       vec3 color = shadedColor(seen.position, seen.color, ray.view);
       accumulated += seen.weight * vec4(color, CompositedAlpha);
+    }
+    if (accumulated.a >= scene_opaqueEnough)
+    {
+      accumulated /= accumulated.a;
+      break;
+    }
+    if (index >= last && !halfLeft)
+    {
+      break;
     }
   }
   return accumulated;

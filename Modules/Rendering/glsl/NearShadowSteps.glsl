@@ -10,9 +10,10 @@ float nearShadowDepth(vec3 position, ShadowSegment towardsLight, float marched)
   vec3 entry = position + direction * towardsLight.begin;
   RayEnd rayEnd = rayEndAt(entry);
   float depth = 0.0;
-  for (int step = 0; step < NEAR_SHADOW_STEPS; ++step)
+  int step = 0;
+  do
   {
     depth += shadowStepDepth(rayEnd, direction, shadowStep(entry, direction, step, rayLength));
-  }
+  } while (++step < NEAR_SHADOW_STEPS);
   return depth;
 }

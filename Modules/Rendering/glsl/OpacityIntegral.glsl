@@ -10,13 +10,16 @@ struct RayEnd
   float coordinate;
   float extinction;
   float integral; // over table coordinates
+  float step;     // 0: the next step begins elsewhere, and is empty; else 1
 };
+
+const RayEnd NoEnd = RayEnd(0.0, 0.0, 0.0, 0.0);
 
 RayEnd rayEndOf(float coordinate)
 {
   vec2 entry = texture(scene_extinction, coordinate).rg;
   float beyond = coordinate - clamp(coordinate, scene_tableEnds.x, scene_tableEnds.y);
-  return RayEnd(coordinate, entry.r, entry.g + entry.r * beyond);
+  return RayEnd(coordinate, entry.r, entry.g + entry.r * beyond, 1.0);
 }
 
 RayEnd rayEndAt(vec3 position)
@@ -25,8 +28,10 @@ RayEnd rayEndAt(vec3 position)
     texture(scene_scalars, position).r * scene_tableCoordinate.x + scene_tableCoordinate.y);
 }
 
-RayEnd rayEndAfterLeap(RayEnd before, int leap, vec3 position)
+// The last of the empty steps is left to be taken: its end is looked up as that of any step is, so
+// that none has to look up where it begins.
+int leapOver(int steps, inout RayEnd end)
 {
-  RayEnd after = rayEndAt(position);
-  return leap > 0 ? after : before;
+  end.step = steps > 0 ? 0.0 : 1.0;
+  return max(steps - 1, 0);
 }

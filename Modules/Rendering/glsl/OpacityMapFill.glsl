@@ -15,12 +15,14 @@ float depthBetween(MapRay ray, inout RayEnd rayEnd, float from, float to)
   int steps = int(ceil(between / scene_shadowSampleDistance - 1e-3));
   float stepLength = between / float(max(steps, 1));
   float depth = 0.0;
-  for (int step = 0; step < steps; ++step)
+  int step = 0;
+  do
   {
-    vec3 middle = ray.origin + ray.direction * (begin + (float(step) + 0.5) * stepLength);
+    float at = min((float(step) + 0.5) * stepLength, between);
+    vec3 middle = ray.origin + ray.direction * (begin + at);
     SegmentMatter matter;
-    depth += segmentDepth(rayEnd, middle, ray.direction, stepLength, matter);
-  }
+    depth += segmentDepth(rayEnd, middle, ray.direction, step < steps ? stepLength : 0.0, matter);
+  } while (++step < steps);
   return depth;
 }
 
@@ -40,12 +42,13 @@ void main()
   {
     darkness[layer] = darknessOf(depth);
   }
-  for (int layer = 0; layer < LAYERS_PER_DRAW && !same; ++layer)
+  int layer = 0;
+  do
   {
     float from = scene_mapFirst + float(layer) * scene_mapSpacing;
-    depth += depthBetween(ray, rayEnd, from, from + scene_mapSpacing);
+    depth += depthBetween(ray, rayEnd, from, from + (same ? 0.0 : scene_mapSpacing));
     darkness[layer] = darknessOf(depth);
-  }
+  } while (++layer < LAYERS_PER_DRAW && !same);
   // VTK knows outputs by literal numbers only: LAYERS_PER_DRAW of them, and the depth.
   gl_FragData[0] = vec4(darkness[0], valid, 0.0, 0.0);
   gl_FragData[1] = vec4(darkness[1], valid, 0.0, 0.0);

@@ -12,14 +12,17 @@ struct SegmentMatter
   float depth;
 };
 
+const RayEnd NoEnd = RayEnd(0.0);
+const SegmentMatter NoMatter = SegmentMatter(0.0, 0.0);
+
 RayEnd rayEndAt(vec3 position)
 {
   return RayEnd(0.0);
 }
 
-RayEnd rayEndAfterLeap(RayEnd before, int leap, vec3 position)
+int leapOver(int steps, inout RayEnd end)
 {
-  return before;
+  return steps;
 }
 
 float segmentDepth(

@@ -12,6 +12,8 @@ struct SegmentMatter
   float length; // times the gradient opacity
 };
 
+const SegmentMatter NoMatter = SegmentMatter(NoEnd, NoEnd, 0.0);
+
 // Where the integral tells no more than rounding, the extinction is taken to change evenly too.
 float meanExtinction(SegmentMatter matter, out bool steep)
 {
@@ -28,7 +30,7 @@ float segmentDepth(
   matter.from = end;
   end = rayEndAt(position + 0.5 * stepLength * direction);
   matter.to = end;
-  matter.length = gradientOpacityAt(position) * stepLength;
+  matter.length = matter.from.step * gradientOpacityAt(position) * stepLength;
   bool steep;
   return meanExtinction(matter, steep) * matter.length;
 }

@@ -23,8 +23,7 @@ float mapStepDepth(inout RayEnd rayEnd, MapRay ray, inout int step)
   int leap = emptySteps(middle, ray.direction * scene_shadowSampleDistance);
   SegmentMatter matter;
   float depth = segmentDepth(rayEnd, middle, ray.direction, stepLength, matter);
-  step += max(leap, 1);
-  rayEnd = rayEndAfterLeap(rayEnd, leap, ray.origin + ray.direction * mapStepBegin(ray, step));
+  step += 1 + leapOver(max(leap - 1, 0), rayEnd);
   return leap > 0 ? 0.0 : depth;
 }
 

@@ -14,16 +14,24 @@ float opticalDepth(vec3 position, vec3 direction, float begin, float end, float 
   vec3 segment = direction * scene_shadowSampleDistance;
   float depth = 0.0;
   RayEnd rayEnd = rayEndAt(entry);
-  for (int step = 0; step < last && depth <= enough;)
+  int step = 0;
+  while (true)
   {
     depth += shadowStepDepth(rayEnd, direction, shadowStep(entry, direction, step, rayLength));
     depth += shadowStepDepth(rayEnd, direction, shadowStep(entry, direction, step + 1, rayLength));
     depth += shadowStepDepth(rayEnd, direction, shadowStep(entry, direction, step + 2, rayLength));
     depth += shadowStepDepth(rayEnd, direction, shadowStep(entry, direction, step + 3, rayLength));
     step += 4;
-    int leap = emptySteps(shadowStep(entry, direction, step, rayLength).xyz, segment);
-    step += leap;
-    rayEnd = rayEndAfterLeap(rayEnd, leap, entry + float(step) * segment);
+    step += leapOver(emptySteps(shadowStep(entry, direction, step, rayLength).xyz, segment), rayEnd);
+    if (depth > enough)
+    {
+      depth = max(depth, enough);
+      break;
+    }
+    if (step >= last)
+    {
+      break;
+    }
   }
   return depth;
 }

@@ -46,5 +46,5 @@ void main()
 
   ViewRay ray = ViewRay(base + direction * inside.x, direction, inside.y - inside.x, view);
   vec4 before = accumulatedBefore();
-  gl_FragData[0] = written(before, completed(march(ray, scene_firstStep, last, before)));
+  gl_FragData[0] = written(before, march(ray, scene_firstStep, last, before));
 }

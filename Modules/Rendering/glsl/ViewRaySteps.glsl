@@ -8,14 +8,9 @@ struct ViewRay
   vec3 view;      // towards the eye, in the world
 };
 
-uniform float scene_opaqueEnough;
-
 // A ray ends where it has become opaque enough. What lies behind is taken to have the colour of what
 // lies before.
-vec4 completed(vec4 accumulated)
-{
-  return accumulated.a < scene_opaqueEnough ? accumulated : accumulated / accumulated.a;
-}
+uniform float scene_opaqueEnough;
 
 float stepLengthOf(ViewRay ray, int index)
 {
