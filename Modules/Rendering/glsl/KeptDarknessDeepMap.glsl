@@ -6,25 +6,28 @@ uniform sampler3D scene_shadowMaps;
 
 const int MapSlices = 4;
 
+float partBetween(float begin, float end, float distance)
+{
+  return clamp((distance - begin) / max(end - begin, 1e-20), 0.0, 1.0);
+}
+
 float darknessAlongRay(ivec3 texel, float distance, out float valid)
 {
-  vec4 nodes = texelFetch(scene_shadowMaps, texel, 0);
-  valid = nodes.x >= 0.0 ? 1.0 : 0.0;
   float darkness = 0.0;
-  for (int slice = 1; ; ++slice)
+  vec2 before = vec2(0.0);
+  int slice = 0;
+  do
   {
-    darkness = mix(nodes.y, nodes.w, clamp((distance - nodes.x) / max(nodes.z - nodes.x, 1e-20), 0.0, 1.0));
-    if (slice == MapSlices || distance <= nodes.z)
-    {
-      return darkness;
-    }
-    vec4 next = texelFetch(scene_shadowMaps, texel + ivec3(0, 0, slice), 0);
-    if (distance < next.x)
-    {
-      return mix(nodes.w, next.y, (distance - nodes.z) / (next.x - nodes.z));
-    }
-    nodes = next;
-  }
+    vec4 nodes = texelFetch(scene_shadowMaps, texel + ivec3(0, 0, slice), 0);
+    bool first = slice == 0;
+    valid = first ? step(0.0, nodes.x) : valid;
+    float gap = mix(before.y, nodes.y, first ? 1.0 : partBetween(before.x, nodes.x, distance));
+    float within = mix(nodes.y, nodes.w, partBetween(nodes.x, nodes.z, distance));
+    float here = distance < nodes.x ? gap : within;
+    darkness = first || distance > before.x ? here : darkness;
+    before = nodes.zw;
+  } while (++slice < MapSlices && distance > before.x);
+  return darkness;
 }
 
 // Beyond the border of an octahedral map it goes on mirrored; beyond that of others there is
@@ -51,7 +54,8 @@ float keptDarkness(vec3 position, int light, float before)
   int slice = MapSlices * int(scene_lightMap[light].x);
   float sum = 0.0;
   float weights = 1e-6;
-  for (int corner = 0; corner < 4; ++corner)
+  int corner = 0;
+  do
   {
     ivec2 side = ivec2(corner & 1, corner >> 1);
     vec2 weight = mix(1.0 - part, part, vec2(side));
@@ -60,6 +64,6 @@ float keptDarkness(vec3 position, int light, float before)
       darknessAlongRay(ivec3(wrappedTexel(first + side, size, projection), slice), distance, valid);
     sum += valid * weight.x * weight.y * darkness;
     weights += valid * weight.x * weight.y;
-  }
+  } while (++corner < 4);
   return sum / weights;
 }
