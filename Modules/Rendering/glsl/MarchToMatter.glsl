@@ -35,6 +35,7 @@ vec4 march(ViewRay ray, int first, int last, vec4 accumulated)
       }
       if (index >= last)
       {
+        // Nothing more is found; of all that is used behind the loop (README, Loops).
         index = last;
         rayEnd = NoEnd;
         lit = LitStep(NoEnd, ray.entry, 0.0);

@@ -23,6 +23,7 @@ float mapStepDepth(inout RayEnd rayEnd, MapRay ray, inout int step)
   int leap = emptySteps(middle, ray.direction * scene_shadowSampleDistance);
   SegmentMatter matter;
   float depth = segmentDepth(rayEnd, middle, ray.direction, stepLength, matter);
+  // Of a leap this step was the first.
   step += 1 + leapOver(max(leap - 1, 0), rayEnd);
   return leap > 0 ? 0.0 : depth;
 }

@@ -25,6 +25,7 @@ float opticalDepth(vec3 position, vec3 direction, float begin, float end, float 
     step += leapOver(emptySteps(shadowStep(entry, direction, step, rayLength).xyz, segment), rayEnd);
     if (depth > enough)
     {
+      // What it is, but not the other exit's value (README, Loops).
       depth = max(depth, enough);
       break;
     }
