@@ -18,6 +18,14 @@ PipelinePart PartOf(const QTreeWidgetItem* item)
 {
   return static_cast<PipelinePart>(item->data(0, PartRole).toInt());
 }
+
+void SetEye(QTreeWidgetItem* item, bool open, const QString& toolTip)
+{
+  item->setCheckState(0, open ? Qt::Checked : Qt::Unchecked);
+  item->setData(0, Qt::AccessibleTextRole,
+    (open ? PipelineTree::tr("%1, shown") : PipelineTree::tr("%1, hidden")).arg(item->text(0)));
+  item->setToolTip(0, toolTip);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -30,6 +38,7 @@ PipelineTree::PipelineTree(SceneDocument* document, QWidget* parent)
   this->setHeaderHidden(true);
   this->setStyle(new EyeStyle(this));
   this->setMinimumSize(170, 90);
+  this->connect(document, &SceneDocument::opened, this, [this] { this->ShowVolume(true); });
   this->connect(document, &SceneDocument::changed, this, &PipelineTree::Rebuild);
   this->connect(document, &SceneDocument::lightSelected, this, &PipelineTree::Rebuild);
   this->connect(this, &QTreeWidget::itemSelectionChanged, this, &PipelineTree::TakeSelection);
@@ -52,17 +61,25 @@ QTreeWidgetItem* PipelineTree::AddPart(
 }
 
 //------------------------------------------------------------------------------
+QTreeWidgetItem* PipelineTree::AddVolume(QTreeWidgetItem* reader)
+{
+  QTreeWidgetItem* item = this->AddPart(reader, tr("Volume"), PipelinePart::Volume);
+  SetEye(item, this->VolumeShown,
+    this->VolumeShown
+      ? tr("Shown. Click the eye, or press Space, to hide the volume in the view.")
+      : tr("Hidden in the view; saved scenes and pictures show it. Click the eye, or press Space, "
+           "to show it."));
+  return item;
+}
+
+//------------------------------------------------------------------------------
 QTreeWidgetItem* PipelineTree::AddLight(QTreeWidgetItem* volume, std::size_t light)
 {
   const SceneDescription& scene = this->Document->GetScene();
-  const QString name = NameOfLight(scene, light);
   const bool on = scene.Lights[light].On;
-  QTreeWidgetItem* item = this->AddPart(volume, name, PipelinePart::Light);
+  QTreeWidgetItem* item = this->AddPart(volume, NameOfLight(scene, light), PipelinePart::Light);
   item->setData(0, LightRole, static_cast<int>(light));
-  item->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
-  item->setData(
-    0, Qt::AccessibleTextRole, on ? tr("%1, shown").arg(name) : tr("%1, hidden").arg(name));
-  item->setToolTip(0,
+  SetEye(item, on,
     on ? tr("Shown: the light shines. Click the eye, or press Space, to hide it.")
        : tr("Hidden: the light is off. Click the eye, or press Space, to show it."));
   return item;
@@ -79,7 +96,7 @@ void PipelineTree::Rebuild()
   const QString file = QString::fromStdString(scene.Volume.File.filename().u8string());
   QTreeWidgetItem* reader = this->AddPart(nullptr, file, PipelinePart::Reader);
   reader->setToolTip(0, QString::fromStdString(scene.Volume.File.u8string()));
-  QTreeWidgetItem* volume = this->AddPart(reader, tr("Volume"), PipelinePart::Volume);
+  QTreeWidgetItem* volume = this->AddVolume(reader);
   QTreeWidgetItem* rendering = this->AddPart(reader, tr("Rendering"), PipelinePart::Rendering);
   QTreeWidgetItem* current = nullptr;
   for (QTreeWidgetItem* item : { reader, volume, rendering })
@@ -119,17 +136,28 @@ void PipelineTree::TakeSelection()
 //------------------------------------------------------------------------------
 void PipelineTree::TakeEye(QTreeWidgetItem* item)
 {
+  const bool isVolume = PartOf(item) == PipelinePart::Volume;
   const int light = item->data(0, LightRole).toInt();
-  const bool on = item->checkState(0) == Qt::Checked;
-  // The edit rebuilds the tree, whose item still speaks.
+  const bool open = item->checkState(0) == Qt::Checked;
+  // Both rebuild the tree, whose item still speaks.
   QMetaObject::invokeMethod(
-    this,
-    [=]
-    {
-      this->Document->Edit(on ? tr("light on") : tr("light off"),
-        [=](SceneDescription& scene) { scene.Lights[light].On = on; });
-    },
+    this, [=] { isVolume ? this->ShowVolume(open) : this->TurnLight(light, open); },
     Qt::QueuedConnection);
+}
+
+//------------------------------------------------------------------------------
+void PipelineTree::ShowVolume(bool shown)
+{
+  this->VolumeShown = shown;
+  this->Rebuild();
+  emit this->volumeShown(shown);
+}
+
+//------------------------------------------------------------------------------
+void PipelineTree::TurnLight(int light, bool on)
+{
+  this->Document->Edit(on ? tr("light on") : tr("light off"),
+    [=](SceneDescription& scene) { scene.Lights[light].On = on; });
 }
 
 }

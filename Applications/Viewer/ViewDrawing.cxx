@@ -226,7 +226,8 @@ double ViewDrawing::Render()
 //------------------------------------------------------------------------------
 void ViewDrawing::BeginStrips()
 {
-  auto* const mapper = this->CanDraw() ? this->Rendering->GetIlluminatedMapper() : nullptr;
+  const bool seen = this->CanDraw() && this->Rendering->GetVolume()->GetVisibility();
+  auto* const mapper = seen ? this->Rendering->GetIlluminatedMapper() : nullptr;
   const double seconds = this->SecondsOfLastWholeFrame > 0.0
     ? this->SecondsOfLastWholeFrame
     : this->Quality.GetSecondsOfWholeFrame();

@@ -19,6 +19,7 @@
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkVolume.h>
 
 namespace penumbra
 {
@@ -95,8 +96,20 @@ void VolumeView::ShowOpened()
   this->Rendering = std::make_unique<SceneRendering>(scene, this->Document->GetVoxels());
   this->Renderer = scene.Renderer;
   this->Window->AddRenderer(this->Rendering->GetRenderer());
+  this->Rendering->GetVolume()->SetVisibility(this->VolumeShown);
   this->AttachDecorations();
   this->Drawing.SetRendering(this->Rendering.get());
+}
+
+//------------------------------------------------------------------------------
+void VolumeView::ShowVolume(bool shown)
+{
+  this->VolumeShown = shown;
+  if (this->Rendering)
+  {
+    this->Rendering->GetVolume()->SetVisibility(shown);
+    this->ScheduleFrame();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -54,6 +54,9 @@ public:
   /// The whole picture of the scene, without decorations, drawn at once.
   vtkSmartPointer<vtkImageData> TakePicture() { return this->Drawing.TakePicture(); }
 
+  /// In this view; pictures of the scene show it all the same.
+  void ShowVolume(bool shown);
+
   /// Whether what is seen is the whole picture of the scene as it is now.
   bool IsRefined() const { return this->Drawing.IsRefined(); }
 
@@ -92,6 +95,7 @@ private:
   std::unique_ptr<ViewDecorations> Decorations;
   std::unique_ptr<ViewOverlay> Overlay;
   RendererChoice Renderer = RendererChoice::Penumbra;
+  bool VolumeShown = true;
   ViewDrawing Drawing;
 };
 

@@ -50,6 +50,7 @@ WindowPanels::WindowPanels(
   this->RenderingDock = this->Add(
     tr("Rendering"), "renderingDock", Qt::RightDockWidgetArea, this->MakeRendering(dragClipping));
   this->Arrange();
+  this->connect(tree, &PipelineTree::volumeShown, view, &VolumeView::ShowVolume);
   this->connect(tree, &PipelineTree::selected, this, &WindowPanels::ShowSelected);
   this->connect(tree, &PipelineTree::controlsAsked, this, &WindowPanels::Show);
   window->installEventFilter(this);

@@ -9,6 +9,8 @@
 
 #include <vtkImageData.h>
 
+#include <algorithm>
+
 using namespace penumbra;
 
 namespace
@@ -17,10 +19,15 @@ struct TreeSession : ViewerSession
 {
   TreeSession() { REQUIRE(this->Open(this->Files.File)); }
 
-  QTreeWidgetItem* Light() { return this->Tree->topLevelItem(0)->child(0)->child(0); }
+  QTreeWidgetItem* Volume() { return this->Tree->topLevelItem(0)->child(0); }
+  QTreeWidgetItem* Light() { return this->Volume()->child(0); }
 
   // The eye stands before the name.
-  QPoint Eye() { return this->Tree->visualItemRect(this->Light()).topLeft() + QPoint(9, 9); }
+  QPoint EyeOf(QTreeWidgetItem* item)
+  {
+    return this->Tree->visualItemRect(item).topLeft() + QPoint(9, 9);
+  }
+  QPoint Eye() { return this->EyeOf(this->Light()); }
 
   bool IsOn() { return this->Document.GetScene().Lights[0].On; }
 
@@ -31,6 +38,13 @@ struct TreeSession : ViewerSession
 
   QTreeWidget* Tree = this->Find<QTreeWidget>("pipelineTree");
 };
+
+bool IsOneColor(vtkImageData* picture)
+{
+  const auto* const bytes = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  const vtkIdType pixel = picture->GetNumberOfScalarComponents();
+  return std::equal(bytes + pixel, bytes + pixel * picture->GetNumberOfPoints(), bytes);
+}
 
 QStringList NamesForScreenReaders(QWidget* widget)
 {
@@ -76,4 +90,31 @@ TEST_CASE("Screen readers are told whether a light is shown")
   CHECK(NamesForScreenReaders(session.Tree).contains("key, shown"));
   session.Document.Edit("off", [](SceneDescription& scene) { scene.Lights[0].On = false; });
   CHECK(NamesForScreenReaders(session.Tree).contains("key, hidden"));
+}
+
+TEST_CASE("The eye of the volume hides it in the view alone, until a file is opened")
+{
+  TreeSession session;
+  const auto shown = session.TakePicture();
+  const auto isSeen = [&] { return session.ChangeSince(shown) == 0.0; };
+  const auto closeEye = [&]
+  {
+    session.Tree->setCurrentItem(session.Volume());
+    QTest::keyClick(session.Tree, Qt::Key_Space);
+    return WaitFor(
+      [&] { return NamesForScreenReaders(session.Tree).contains("Volume, hidden"); }, 5.0);
+  };
+  CHECK(closeEye());
+  CHECK_FALSE(IsOneColor(shown));
+  CHECK(IsOneColor(session.TakePicture()));
+  CHECK_FALSE(session.Window.isWindowModified());
+  session.Document.Edit("off", [](SceneDescription& scene) { scene.Lights[0].On = false; });
+  session.Document.GetHistory()->undo();
+  CHECK_FALSE(isSeen());
+  QTest::mouseClick(
+    session.Tree->viewport(), Qt::LeftButton, Qt::NoModifier, session.EyeOf(session.Volume()));
+  CHECK(WaitFor(isSeen, 5.0));
+  CHECK(closeEye());
+  REQUIRE(session.Open(session.Files.File));
+  CHECK(isSeen());
 }
