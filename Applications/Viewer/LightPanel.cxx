@@ -114,6 +114,7 @@ QWidget* LightPanel::MakeButtons()
   layout->setContentsMargins(0, 0, 0, 0);
   this->AddButton =
     MakeMenuButton(tr("Add"), tr("Add a light to the scene"), this->AddActions, row);
+  this->AddButton->setObjectName("addLightButton");
   layout->addWidget(this->AddButton);
   QToolButton* remove = MakePanelButton(tr("Remove"), tr("Remove the selected light"), row);
   remove->setObjectName("removeLightButton");

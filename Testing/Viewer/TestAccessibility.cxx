@@ -8,7 +8,6 @@
 #include <QLineEdit>
 #include <QScrollBar>
 
-
 using namespace penumbra;
 
 namespace
