@@ -53,12 +53,11 @@ void CropToBody(SceneDescription& scene, vtkImageData* image, std::vector<std::s
   scene.Volume.Cropping = FindBodyRegion(image, *preset->CropMargin);
   if (scene.Volume.Cropping)
   {
-    std::string text = "cropped to the body, which leaves out the table:";
-    for (const double bound : *scene.Volume.Cropping)
-    {
-      text += " " + Rounded(bound);
-    }
-    choices.push_back(text);
+    const std::array<double, 6>& kept = *scene.Volume.Cropping;
+    const auto along = [&kept](const char* axis, int low)
+    { return std::string(axis) + " " + Rounded(kept[low]) + " to " + Rounded(kept[low + 1]); };
+    choices.push_back("cropped to the body, which leaves out the table: " + along("x", 0) + ", " +
+      along("y", 2) + ", " + along("z", 4) + " mm along the volume's own axes");
   }
 }
 }

@@ -1,8 +1,10 @@
 #include "Theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
+#include <QStyleOption>
 
 namespace penumbra
 {
@@ -10,8 +12,10 @@ namespace
 {
 constexpr QRgb Accent = 0x3d8bd4;
 constexpr int TabPadding = 10;
+constexpr double EdgeOpacity = 0.5;
 
-// The titles of a narrow window's tabs have room beside each other.
+// The titles of a narrow window's tabs have room beside each other, and boxes that are not checked
+// are seen on dark menus too.
 class ThemeStyle : public QProxyStyle
 {
 public:
@@ -25,6 +29,22 @@ public:
   {
     return metric == PM_TabBarTabHSpace ? TabPadding
                                         : QProxyStyle::pixelMetric(metric, option, widget);
+  }
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+    const QWidget* widget) const override
+  {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element == PE_IndicatorCheckBox)
+    {
+      QColor edge = option->palette.color(QPalette::Text);
+      edge.setAlphaF(EdgeOpacity);
+      painter->save();
+      painter->setPen(edge);
+      painter->setBrush(Qt::NoBrush);
+      painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+      painter->restore();
+    }
   }
 };
 
