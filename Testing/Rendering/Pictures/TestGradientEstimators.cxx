@@ -3,7 +3,11 @@
 #include "PictureTest.h"
 #include "SyntheticVolumes.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 #include <vtkVolumeProperty.h>
+
+#include <algorithm>
 
 using namespace penumbra;
 
@@ -118,4 +122,34 @@ TEST_CASE("Gradient opacity takes the estimator's gradient")
     render(vtkIlluminatedVolumeMapper::CentralDifferences)->GetScalarComponentAsDouble(0, 0, 0, 0);
   CHECK(level(render(vtkIlluminatedVolumeMapper::CentralDifferences)) == background);
   CHECK(level(render(vtkIlluminatedVolumeMapper::BackwardDifferences)) > background + 30.0);
+}
+
+// Rounding of a difference is a gradient like any other: its normal would be lit.
+TEST_CASE("No estimator finds a normal in even matter")
+{
+  VolumeGrid grid;
+  grid.dimensions = { 24, 16, 16 };
+  grid.spacing = { 2.0, 2.0, 2.0 };
+  grid.scalarType = VTK_SHORT;
+  const double plateau = GENERATE(-1000.0, 77.0);
+  IlluminatedScene scene(MakeSlab(grid, 0, 24.0, 46.0, { 2047.0, plateau }));
+  const int estimator = GENERATE(range<int>(
+    vtkIlluminatedVolumeMapper::CentralDifferences, vtkIlluminatedVolumeMapper::Sobel + 1));
+  scene.Mapper->SetGradientEstimator(estimator);
+  scene.Mapper->CroppingOn();
+  scene.Mapper->SetCroppingRegionPlanes(0.0, 18.0, 0.0, 30.0, 0.0, 30.0);
+  scene.Opacity->RemoveAllPoints();
+  scene.Opacity->AddPoint(plateau, 0.2);
+  scene.Color->RemoveAllPoints();
+  scene.Color->AddRGBPoint(plateau, 1.0, 1.0, 1.0);
+  scene.Volume->GetProperty()->SetAmbient(0.0);
+  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  scene.AddDirectionalLight(-0.6, -0.7, -0.4, vtkVolumeLight::None);
+  double brightest = 0.0;
+  const auto picture = scene.Render();
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    brightest = std::max(brightest, picture->GetPointData()->GetScalars()->GetRange(channel)[1]);
+  }
+  CHECK(brightest == 0.0);
 }
