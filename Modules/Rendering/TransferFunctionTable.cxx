@@ -244,12 +244,9 @@ std::vector<double> ClipToData(
   return clipped;
 }
 
-void FillPoints(const TransferFunctions& functions,
-  const std::vector<TransferFunctionPoint>& points, TransferFunctionTable& table)
+void FillPoints(const std::vector<TransferFunctionPoint>& points, TransferFunctionTable& table)
 {
   table.Lookup = TransferFunctionLookup::Points;
-  table.Low = functions.DataLow;
-  table.High = functions.DataHigh;
   for (const TransferFunctionPoint& point : points)
   {
     table.PointScalars.push_back(point.Scalar - table.Low);
@@ -284,7 +281,7 @@ TransferFunctionTable MakeTransferFunctionTable(const TransferFunctions& functio
     table.Accurate = static_cast<int>(points.size()) <= largestSize;
     if (table.Accurate)
     {
-      FillPoints(functions, points, table);
+      FillPoints(points, table);
     }
   }
   return table;

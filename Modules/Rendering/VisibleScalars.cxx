@@ -49,15 +49,19 @@ VisibleScalars::VisibleScalars(const TransferFunctionTable& table)
   if (table.Lookup == TransferFunctionLookup::Table || table.Steep)
   {
     const double step = (table.High - table.Low) / std::max(1, table.GetSize() - 1);
-    const auto isVisible = [&](int entry)
-    {
-      const bool grows = table.Steep &&
-        table.ExtinctionIntegral[std::min(entry + 1, table.GetSize() - 1)] >
-          table.ExtinctionIntegral[std::max(entry - 1, 0)];
-      return table.Extinction[entry] > 0.0f || grows ? 1.0 : 0.0;
-    };
+    const auto getScalar = [&](int entry) { return table.Low + entry * step; };
     AddIntervals(
-      table.GetSize(), [&](int entry) { return table.Low + entry * step; }, isVisible, intervals);
+      table.GetSize(), getScalar, [&](int entry) { return table.Extinction[entry]; }, intervals);
+    // An entry more on either side, for how textures interpolate.
+    const int last = table.GetSize() - 1;
+    for (int cell = 0; table.Steep && cell < last; ++cell)
+    {
+      if (table.ExtinctionIntegral[cell + 1] > table.ExtinctionIntegral[cell])
+      {
+        intervals.push_back(
+          { getScalar(std::max(cell - 1, 0)), getScalar(std::min(cell + 2, last)) });
+      }
+    }
   }
   if (table.Lookup == TransferFunctionLookup::Points)
   {

@@ -1,5 +1,6 @@
 #include "Catch.h"
 #include "TransferFunctionLookup.h"
+#include "VisibleScalars.h"
 
 #include <cmath>
 
@@ -69,4 +70,32 @@ TEST_CASE("What hardly shows is not steep")
     { 255.0, 0.0 } };
   faint.functions.DataHigh = 255.0;
   CHECK_FALSE(MakeTransferFunctionTable(faint.functions, 8192).Steep);
+}
+
+TEST_CASE("Integrals are over the range of their table where points are looked up beside it")
+{
+  OwnedFunctions owned{ { 38.0, 0.0 }, { 48.7, 0.005 }, { 52.5, 0.75 } };
+  owned.color->RemoveAllPoints();
+  owned.color->AddRGBPoint(40.0, 1.0, 1.0, 1.0);
+  owned.functions.IntegerData = true;
+  const TransferFunctionTable table = owned.MakeTable();
+  REQUIRE(table.Lookup == TransferFunctionLookup::Points);
+  REQUIRE(table.Steep);
+  CHECK(table.Low == 38.0);
+  CHECK(table.High == 53.0);
+  // The integral grows over the last half value by the extinction there.
+  const double last = table.GetSize() - 1.0;
+  const auto halfValueBefore = static_cast<std::size_t>(std::lround(last * (1.0 - 0.5 / 15.0)));
+  const double cells = last - static_cast<double>(halfValueBefore);
+  CHECK((table.ExtinctionIntegral.back() - table.ExtinctionIntegral[halfValueBefore]) *
+      table.GetSize() / cells ==
+    Approx(ComputeExtinction(0.75, 1.0)).epsilon(1e-3));
+  // What is in that range is visible, and what is before it is not.
+  const VisibleScalars visible(table);
+  CHECK(visible.AnyBetween(50.0, 51.0));
+  CHECK(visible.AnyBetween(100.0, 255.0));
+  CHECK_FALSE(visible.AnyBetween(0.0, 37.9));
+  // Points are told from the same scalar.
+  CHECK(LookUp(table, 52.5, 1.0).extinction == Approx(ComputeExtinction(0.75, 1.0)));
+  CHECK(LookUp(table, 0.0, 1.0).extinction == 0.0);
 }

@@ -50,6 +50,10 @@ TEST_CASE("A steep table is visible wherever its integral grows")
   const VisibleScalars visible(table);
   CHECK(visible.AnyBetween(11.0, 19.0));
   CHECK(visible.AnyBetween(1.0, 2.0));
+  CHECK(visible.AnyBetween(21.0, 29.0));
+  // Beyond its ends a table is as its ends are, and there is nothing.
+  CHECK_FALSE(visible.AnyBetween(-10.0, -1.0));
+  CHECK_FALSE(visible.AnyBetween(31.0, 40.0));
 }
 
 TEST_CASE("Points are visible up to their neighbours")

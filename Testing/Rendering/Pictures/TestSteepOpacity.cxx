@@ -71,6 +71,22 @@ TEST_CASE("A peak that a step passes over counts as a whole, whatever the step")
   CHECK(LevelOf(*scene, 2) <= 1.0);
 }
 
+// Such steps are looked up among their points, and their integrals in the table beside these.
+TEST_CASE("A peak with sheer sides counts as a whole, whatever the step")
+{
+  const double step = GENERATE(0.5, 2.7);
+  const auto scene = MakePeakScene(step);
+  scene->Opacity->RemoveAllPoints();
+  scene->Opacity->AllowDuplicateScalarsOn();
+  scene->Opacity->AddPoint(100.0, 0.0);
+  scene->Opacity->AddPoint(100.0, 0.1);
+  scene->Opacity->AddPoint(100.0 + PeakWidth, 0.1);
+  scene->Opacity->AddPoint(100.0 + PeakWidth, 0.0);
+  const double transparency = std::pow(1.0 - 0.1, PeakWidth / ValuesPerLength / 0.05);
+  CHECK(LevelOf(*scene, 1) == Approx(255.0 * (1.0 - transparency)).margin(1.0));
+  CHECK(scene->Mapper->GetRequirements().PreIntegrated);
+}
+
 TEST_CASE("A clipping plane within a peak keeps the part before it")
 {
   const auto scene = MakePeakScene(2.7);
