@@ -48,6 +48,12 @@ GradientOpacityTable MakeGradientOpacityTable(
     table.Opacity[entry] =
       static_cast<float>(function->GetValue(table.Low + root * root * (table.High - table.Low)));
   }
+  // Beyond its ends a table is as these are: of a step there, the outer side.
+  table.Opacity.front() = static_cast<float>(getNode(begin, 1));
+  if (table.High >= getNode(end, 0))
+  {
+    table.Opacity.back() = static_cast<float>(getNode(end, 1));
+  }
   return table;
 }
 

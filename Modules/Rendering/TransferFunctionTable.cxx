@@ -152,7 +152,8 @@ bool Agrees(const TransferFunctionPoint& exact, const std::array<double, 4>& int
   return agrees;
 }
 
-// Steps and spikes between two entries show at the functions' own points, on either side of them.
+// Steps and spikes between two entries show at the functions' own points, on either side of them
+// that data has.
 bool PointsHold(const TransferFunctions& functions, const std::vector<double>& scalars,
   const TransferFunctionTable& table)
 {
@@ -164,11 +165,35 @@ bool PointsHold(const TransferFunctions& functions, const std::vector<double>& s
         return true;
       }
       const auto interpolated = Interpolate(table, scalar);
-      return (scalar == table.Low ||
+      return (scalar <= functions.DataLow ||
                Agrees(GetPoint(functions, scalar, true), interpolated, functions.UnitDistance)) &&
-        (scalar == table.High ||
+        (scalar >= functions.DataHigh ||
           Agrees(GetPoint(functions, scalar, false), interpolated, functions.UnitDistance));
     });
+}
+
+void SetEntry(const TransferFunctions& functions, const TransferFunctionPoint& point, int entry,
+  TransferFunctionTable& table)
+{
+  table.Extinction[entry] =
+    static_cast<float>(ComputeExtinction(point.ColorAndOpacity[3], functions.UnitDistance));
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    table.Color[3 * entry + channel] = static_cast<float>(point.ColorAndOpacity[channel]);
+  }
+}
+
+// Beyond its ends a table is as these are: of a step there, the outer side.
+void SetEnds(const TransferFunctions& functions, TransferFunctionTable& table)
+{
+  if (table.Low > functions.DataLow)
+  {
+    SetEntry(functions, GetPoint(functions, table.Low, true), 0, table);
+  }
+  if (table.High < functions.DataHigh)
+  {
+    SetEntry(functions, GetPoint(functions, table.High, false), table.GetSize() - 1, table);
+  }
 }
 
 // From the functions' first point to their last, within the data.
@@ -201,8 +226,13 @@ bool FillTable(const TransferFunctions& functions, const std::vector<double>& sc
   const std::vector<double> color = SampleColor(functions, table.Low, table.High, checked);
   KeepEvery(ChecksPerCell, 1, extinction, table.Extinction);
   KeepEvery(ChecksPerCell, 3, color, table.Color);
-  return InterpolationHolds(extinction, color, functions.UnitDistance) &&
-    (!ArePiecewiseLinear(functions) || PointsHold(functions, scalars, table));
+  const bool holds = InterpolationHolds(extinction, color, functions.UnitDistance);
+  if (!ArePiecewiseLinear(functions))
+  {
+    return holds;
+  }
+  SetEnds(functions, table);
+  return holds && PointsHold(functions, scalars, table);
 }
 
 // Sizes to try, ascending. Entries of integer data fall on the integers, where points mostly are.

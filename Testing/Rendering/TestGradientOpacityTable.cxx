@@ -84,6 +84,25 @@ TEST_CASE("A gradient opacity function of one value, or of none, is a table of i
   CHECK(constant.High > constant.Low);
 }
 
+TEST_CASE("Beyond a step at the end of a gradient opacity there is its outer side")
+{
+  vtkNew<vtkPiecewiseFunction> rising;
+  rising->AllowDuplicateScalarsOn();
+  rising->AddPoint(10.0, 0.2);
+  rising->AddPoint(10.0, 1.0);
+  const GradientOpacityTable risen = MakeGradientOpacityTable(rising, 8192, 1e9);
+  CHECK(LookUpGradient(risen, 9.9) == Approx(0.2));
+  CHECK(LookUpGradient(risen, 10.1) == Approx(1.0));
+  vtkNew<vtkPiecewiseFunction> falling;
+  falling->AllowDuplicateScalarsOn();
+  falling->AddPoint(0.0, 0.2);
+  falling->AddPoint(40.0, 0.6);
+  falling->AddPoint(40.0, 0.0);
+  const GradientOpacityTable fallen = MakeGradientOpacityTable(falling, 8192, 1e9);
+  CHECK(LookUpGradient(fallen, 39.0) == Approx(0.59));
+  CHECK(LookUpGradient(fallen, 41.0) == 0.0);
+}
+
 TEST_CASE("The least visible gradient is where gradient opacity begins to rise")
 {
   GradientOpacityTable table;

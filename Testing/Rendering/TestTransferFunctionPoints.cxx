@@ -53,6 +53,26 @@ TEST_CASE("A step at the first or the last point is exact too")
   CheckOpacity(owned, table, 256.0, 0.0);
 }
 
+TEST_CASE("Beyond a step at the end of a table there is its outer side")
+{
+  const double before = GENERATE(0.0, 0.6);
+  const double behind = 0.6 - before;
+  const double colorAt = GENERATE(-50.0, 3.3, 50.0);
+  OwnedFunctions owned{ { 3.3, before }, { 3.3, behind } };
+  owned.color->RemoveAllPoints();
+  owned.color->AddRGBPoint(colorAt, 1.0, 1.0, 1.0);
+  owned.SetRange(-100.0, 100.0);
+  const TransferFunctionTable table = owned.MakeTable();
+  for (const double distance : { 1e-3, 1.0, 90.0 })
+  {
+    CheckOpacity(owned, table, 3.3 - distance, before);
+    CheckOpacity(owned, table, 3.3 + distance, behind);
+  }
+  // Integrals go on by what the table itself has at its ends.
+  CHECK(table.Extinction.front() == Approx(ComputeExtinction(before, 1.0)));
+  CHECK(table.Extinction.back() == Approx(ComputeExtinction(behind, 1.0)));
+}
+
 TEST_CASE("A step of colour is looked up among the points")
 {
   OwnedFunctions owned{ { 0.0, 0.1 }, { 255.0, 0.5 } };
