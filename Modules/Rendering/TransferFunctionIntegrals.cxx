@@ -84,26 +84,46 @@ std::vector<double> GetPointsWithin(const std::vector<double>& ascending, double
   return { begin, std::lower_bound(begin, ascending.end(), high) };
 }
 
-// Whether, for some part of the data's range as wide as what a step passes at an edge, the
-// extinction in its middle is far from the mean over it: by more than a tenth of an optical depth
-// per length.
+// The integral of extinction up to an entry, in extinctions times entries. Beyond its ends a table
+// is as these are.
+double IntegrateTo(const TransferFunctionTable& table, double entry)
+{
+  const double last = static_cast<double>(table.Extinction.size() - 1);
+  const double within = std::clamp(entry, 0.0, last);
+  const auto low = static_cast<std::size_t>(within);
+  const std::size_t high = std::min(low + 1, table.Extinction.size() - 1);
+  const double part = within - static_cast<double>(low);
+  const double integral = (1.0 - part) * table.ExtinctionIntegral[low] +
+    part * static_cast<double>(table.ExtinctionIntegral[high]);
+  return integral * (last + 1.0) + (entry - within) * table.Extinction[low];
+}
+
+// Whether the extinction at an entry is far from the mean over the entries within a distance: by
+// more than a tenth of an optical depth per step.
+bool IsSteepAt(const TransferFunctions& functions, const TransferFunctionTable& table, double entry,
+  double distance)
+{
+  constexpr double depth = 0.1;
+  constexpr double share = 0.25;
+  const double mean =
+    (IntegrateTo(table, entry + distance) - IntegrateTo(table, entry - distance)) /
+    (2.0 * distance);
+  const double last = static_cast<double>(table.Extinction.size() - 1);
+  const double exact = table.Extinction[static_cast<std::size_t>(std::clamp(entry, 0.0, last))];
+  const double difference = std::abs(mean - exact);
+  return difference * functions.Step > depth && difference > share * std::max(mean, exact);
+}
+
+// Whether it is so for some part of the data's range as wide as what a step passes at an edge.
 bool IsSteep(const TransferFunctions& functions, const TransferFunctionTable& table)
 {
   constexpr double partOfRange = 1.0 / 64.0;
-  constexpr double depth = 0.1;
-  constexpr double share = 0.25;
   const double cells = static_cast<double>(table.Extinction.size() - 1);
-  const double width = partOfRange * (functions.DataHigh - functions.DataLow);
-  const auto half =
-    static_cast<std::size_t>(std::min(0.5 * width * cells / (table.High - table.Low), 0.5 * cells));
-  for (std::size_t middle = half; half > 0 && middle + half < table.Extinction.size(); ++middle)
+  const double distance =
+    0.5 * partOfRange * (functions.DataHigh - functions.DataLow) * cells / (table.High - table.Low);
+  for (double entry = 0.0; distance > 0.0 && entry <= cells; ++entry)
   {
-    const double mean =
-      (table.ExtinctionIntegral[middle + half] - table.ExtinctionIntegral[middle - half]) *
-      (cells + 1.0) / (2.0 * static_cast<double>(half));
-    const double exact = table.Extinction[middle];
-    const double difference = std::abs(mean - exact);
-    if (difference * functions.Step > depth && difference > share * std::max(mean, exact))
+    if (IsSteepAt(functions, table, entry, distance))
     {
       return true;
     }

@@ -64,6 +64,16 @@ TEST_CASE("Narrow peaks are steep, wide ramps are not")
   CHECK_FALSE(MakeTransferFunctionTable(ramp.functions, 8192).Steep);
 }
 
+TEST_CASE("A step that ends a table is steep, a constant is not")
+{
+  const double before = GENERATE(0.0, 0.6);
+  const double behind = GENERATE(0.0, 0.6);
+  OwnedFunctions owned{ { 100.0, before }, { 100.0, behind } };
+  owned.color->RemoveAllPoints();
+  owned.color->AddRGBPoint(100.0, 1.0, 1.0, 1.0);
+  CHECK(owned.MakeTable().Steep == (before != behind));
+}
+
 TEST_CASE("What hardly shows is not steep")
 {
   OwnedFunctions faint{ { 0.0, 0.0 }, { 100.0, 0.0 }, { 101.0, 0.01 }, { 102.0, 0.0 },
