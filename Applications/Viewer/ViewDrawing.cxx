@@ -32,7 +32,7 @@ constexpr double AssumedSecondsOfFrame = 2.0;
 constexpr int StillMilliseconds = 250;
 // Before whole frames that take longer than this many seconds come quick ones.
 constexpr double LongestFrame = 3.0;
-constexpr double LongestQuickFrame = 1.0;
+constexpr double LongestQuickFrame = 0.3;
 constexpr int LongStillMilliseconds = 1000;
 // A strip of a whole frame is to take no longer than people notice as a delay. Each costs some time
 // of its own.

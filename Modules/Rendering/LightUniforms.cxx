@@ -287,7 +287,7 @@ void LightUniforms::LookUpLayers(const LightingRequirements& requirements,
         return;
       }
       const LightSpace& space = spaces[caster];
-      const double slices = plan.GetNumberOfSlices();
+      const double slices = plan.TextureSlices;
       const double first = (static_cast<double>(caster) * plan.Layers + 0.5) / slices;
       const double scale = 1.0 / (plan.GetSpacing(space) * slices);
       this->Layers[light] = { static_cast<float>(scale),

@@ -56,6 +56,8 @@ OpacityMapPlan PlanOpacityMaps(const ShadowMapTask& task)
       if (Fits(task, plan))
       {
         plan.Coarsened = most < asked;
+        plan.TextureTexels = plan.Texels;
+        plan.TextureSlices = plan.GetNumberOfSlices();
         return plan;
       }
     }

@@ -28,6 +28,8 @@ struct PENUMBRARENDERING_EXPORT OpacityMapPlan
   int Lights = 0;          ///< that it holds, the first ones
   double Resolution = 0.0; ///< texels and layers a voxel, the fewer
   bool Coarsened = false;  ///< the resolution is less than asked
+  int TextureTexels = 0;   ///< along both axes of the texture that holds the maps, not less
+  int TextureSlices = 0;   ///< of it
 
   std::size_t GetBytes() const;
   int GetNumberOfSlices() const { return this->Layers * this->Lights; }
@@ -38,6 +40,7 @@ struct PENUMBRARENDERING_EXPORT OpacityMapPlan
   }
 };
 
+/// Maps in a texture of their own size.
 PENUMBRARENDERING_EXPORT OpacityMapPlan PlanOpacityMaps(const ShadowMapTask& task);
 
 }

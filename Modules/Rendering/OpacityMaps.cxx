@@ -9,15 +9,34 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+
 namespace penumbra
 {
+
+//------------------------------------------------------------------------------
+void OpacityMaps::ShareTexture(OpacityMapPlan& plan, std::size_t largestBytes) const
+{
+  // Maps that are as fine lie as they would in a texture of their own, to the bit.
+  constexpr double finer = 1.5;
+  constexpr std::size_t mostTimesTheBytes = 64;
+  const std::size_t bytes = this->GetBytes();
+  if (bytes > 0 && bytes <= std::min(largestBytes, mostTimesTheBytes * plan.GetBytes()) &&
+    this->Plan.TextureTexels >= finer * plan.Texels &&
+    this->Plan.TextureSlices >= plan.GetNumberOfSlices())
+  {
+    plan.TextureTexels = this->Plan.TextureTexels;
+    plan.TextureSlices = this->Plan.TextureSlices;
+  }
+}
+
 //------------------------------------------------------------------------------
 bool OpacityMaps::Allocate(vtkOpenGLRenderWindow* window, const OpacityMapPlan& plan)
 {
   this->Plan = plan;
   return this->Reserve(window,
-           { { plan.Texels, plan.Texels, plan.GetNumberOfSlices() }, plan.Layers, 2,
-             VTK_UNSIGNED_CHAR, vtkTextureObject::Linear },
+           { { plan.TextureTexels, plan.TextureTexels, plan.TextureSlices },
+             { plan.Texels, plan.Layers }, 2, VTK_UNSIGNED_CHAR, vtkTextureObject::Linear },
            plan.Lights) &&
     this->ReserveDepths(window);
 }
@@ -32,7 +51,7 @@ bool OpacityMaps::ReserveDepths(vtkOpenGLRenderWindow* window)
       continue;
     }
     ResetTexture(depth, window, vtkTextureObject::Nearest);
-    if (!depth->Create2D(this->Plan.Texels, this->Plan.Texels, 1, VTK_FLOAT, false))
+    if (!depth->Create2D(this->Plan.TextureTexels, this->Plan.TextureTexels, 1, VTK_FLOAT, false))
     {
       return false;
     }
@@ -85,11 +104,12 @@ void OpacityMaps::SetUniforms(vtkShaderProgram* program, const DrawnScene&)
 {
   SetSampler(program, "scene_opacityMaps", this->Texture);
   const double texels = this->Plan.Texels;
-  const float scaleAndOffset[2] = { static_cast<float>((texels - 2.0) / texels),
-    static_cast<float>(1.0 / texels) };
+  const double whole = this->Plan.TextureTexels;
+  const float placing[3] = { static_cast<float>((texels - 2.0) / whole),
+    static_cast<float>(1.0 / whole), static_cast<float>((texels - 0.5) / whole) };
   if (program->IsUniformUsed("scene_opacityMapTexels"))
   {
-    program->SetUniform2f("scene_opacityMapTexels", scaleAndOffset);
+    program->SetUniform3f("scene_opacityMapTexels", placing);
   }
 }
 

@@ -19,6 +19,10 @@ namespace penumbra
 class OpacityMaps : public ShadowCache
 {
 public:
+  /// Lets coarse maps lie in the texture of finer ones that is there, within so many bytes: those
+  /// of what moves, until it is still. A large texture takes longer to make than to fill.
+  void ShareTexture(OpacityMapPlan& plan, std::size_t largestBytes) const;
+
   /// Makes room for the plan; one of no lights gives it up. False where the graphics card has none.
   bool Allocate(vtkOpenGLRenderWindow* window, const OpacityMapPlan& plan);
 

@@ -47,24 +47,28 @@ float GetLargestDepth(const ShadowCaster& caster)
 }
 
 //------------------------------------------------------------------------------
-bool ShadowCache::TextureLayout::operator==(const TextureLayout& other) const
+bool ShadowCache::TextureLayout::HasTextureOf(const TextureLayout& other) const
 {
-  return this->Texels == other.Texels && this->SlicesPerBlock == other.SlicesPerBlock &&
-    this->Components == other.Components && this->ScalarType == other.ScalarType &&
-    this->Filter == other.Filter;
+  return this->Texels == other.Texels && this->Components == other.Components &&
+    this->ScalarType == other.ScalarType && this->Filter == other.Filter;
 }
 
 //------------------------------------------------------------------------------
 bool ShadowCache::Reserve(vtkOpenGLRenderWindow* window, const TextureLayout& layout, int lights)
 {
-  const bool same = this->Texture->GetHandle() && layout == this->Layout;
-  this->Layout = layout;
-  if (!same)
+  const bool stays = this->Texture->GetHandle() && layout.HasTextureOf(this->Layout);
+  if (!stays)
   {
     this->Release(window);
   }
+  if (layout.Block != this->Layout.Block)
+  {
+    this->Held.clear();
+    this->Begun.reset();
+  }
+  this->Layout = layout;
   this->Held.resize(lights);
-  return same || lights == 0 || this->Create(window);
+  return stays || lights == 0 || this->Create(window);
 }
 
 //------------------------------------------------------------------------------

@@ -59,12 +59,13 @@ protected:
   struct TextureLayout
   {
     std::array<int, 3> Texels{};
-    int SlicesPerBlock = 0; ///< that one light, or those of its components, take
+    /// What one light, or those of its components, take: texels along both axes, and slices.
+    std::array<int, 2> Block{};
     int Components = 0;
     int ScalarType = 0; ///< VTK's
     int Filter = 0;     ///< vtkTextureObject's
 
-    bool operator==(const TextureLayout& other) const;
+    bool HasTextureOf(const TextureLayout& other) const;
   };
 
   /// What one light's draws go to.
@@ -83,8 +84,8 @@ protected:
   virtual void FillPart(const Filling& filling, int slot, int part) = 0;
 
   /// Keeps room for as many lights in a texture of that layout. Where the layout is as before,
-  /// lights that stay are as they were. No lights give the texture up. False where the graphics
-  /// card has no room.
+  /// lights that stay are as they were; where only blocks differ, the texture stays. No lights give
+  /// the texture up. False where the graphics card has no room.
   bool Reserve(vtkOpenGLRenderWindow* window, const TextureLayout& layout, int lights);
   /// Lets the next draw go to slices of the texture, the first one and those behind it, and then to
   /// a texture beside them.

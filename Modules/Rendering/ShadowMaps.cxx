@@ -15,8 +15,8 @@ bool ShadowMaps::Allocate(vtkOpenGLRenderWindow* window, const ShadowMapPlan& pl
 {
   this->Plan = plan;
   return this->Reserve(window,
-    { { plan.Texels, plan.Texels, plan.GetNumberOfSlices() }, ShadowMapPlan::SlicesPerLight, 4,
-      VTK_FLOAT, vtkTextureObject::Nearest },
+    { { plan.Texels, plan.Texels, plan.GetNumberOfSlices() },
+      { plan.Texels, ShadowMapPlan::SlicesPerLight }, 4, VTK_FLOAT, vtkTextureObject::Nearest },
     plan.Lights);
 }
 

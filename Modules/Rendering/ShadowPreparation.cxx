@@ -94,6 +94,7 @@ Room MakeRoom(const ShadowSettings& settings, vtkOpenGLRenderWindow* window, Dra
       if (settings.Technique == ShadowTechnique::OpacityMap)
       {
         scene.LayersOfShadows = PlanOpacityMaps(task);
+        drawing.GetLayersOfShadows().ShareTexture(scene.LayersOfShadows, task.LargestBytes);
         room = { scene.LayersOfShadows.Lights, scene.LayersOfShadows.Coarsened };
       }
       else

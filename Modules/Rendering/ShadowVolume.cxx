@@ -17,8 +17,9 @@ bool ShadowVolume::Allocate(vtkOpenGLRenderWindow* window, const ShadowVolumePla
 {
   this->Plan = plan;
   return this->Reserve(window,
-    { { plan.Texels[0], plan.Texels[1], plan.GetNumberOfSlices() }, plan.Texels[2], plan.Components,
-      VTK_UNSIGNED_CHAR, vtkTextureObject::Linear },
+    { { plan.Texels[0], plan.Texels[1], plan.GetNumberOfSlices() },
+      { plan.Texels[0], plan.Texels[2] }, plan.Components, VTK_UNSIGNED_CHAR,
+      vtkTextureObject::Linear },
     plan.Lights);
 }
 

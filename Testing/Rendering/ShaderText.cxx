@@ -49,7 +49,7 @@ const std::map<GradientEstimator, std::string> EstimatorSymbols = {
   { GradientEstimator::CentralDifferences, "0.5 *\n    vec3(texture(scene_scalars" },
   { GradientEstimator::ForwardDifferences, ".r - here" },
   { GradientEstimator::BackwardDifferences, "here - texture(" },
-  { GradientEstimator::Sobel, "addRow" },
+  { GradientEstimator::Sobel, "rowAt" },
 };
 
 // A box needs no code: it is the box that rays are cut to. Regions do.

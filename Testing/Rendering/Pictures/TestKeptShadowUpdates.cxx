@@ -1,5 +1,6 @@
 #include "Catch.h"
 #include "IlluminatedScene.h"
+#include "ImageComparison.h"
 #include "SyntheticVolumes.h"
 
 #include <vtkCamera.h>
@@ -112,6 +113,34 @@ TEST_CASE("Kept shadows: an edit computes the lights anew that it concerns, and 
     scene->Render();
     CHECK(scene->Mapper->GetNumberOfShadowUpdates() - 3 == edit.updates);
   }
+}
+
+TEST_CASE("Kept shadows: coarser opacity maps lie in the texture of finer ones that is there")
+{
+  constexpr int technique = vtkIlluminatedVolumeMapper::OpacityMap;
+  auto scene = MakeScene(technique);
+  scene->Mapper->SetShadowResolution(2.0);
+  const auto fine = scene->Render();
+  const std::size_t bytes = scene->Mapper->GetShadowBytes();
+  scene->Mapper->SetShadowResolution(0.5);
+  const auto coarse = scene->Render();
+  CHECK(scene->Mapper->GetShadowBytes() == bytes);
+  CHECK(scene->Mapper->GetActualShadowResolution() < 0.6);
+  auto fresh = MakeScene(technique);
+  fresh->Mapper->SetShadowResolution(0.5);
+  // Where the texture is another, coordinates are rounded otherwise.
+  CHECK(CompareImages(fresh->Render(), coarse).largest <= 1.0);
+  CHECK(CompareImages(fine, coarse).largest > 2.0);
+  scene->Mapper->SetShadowResolution(2.0);
+  CHECK(CompareImages(scene->Render(), fine).largest == 0.0);
+  CHECK(scene->Mapper->GetShadowBytes() == bytes);
+  // But not where it would be more than is allowed.
+  constexpr std::size_t mebibyte = 1 << 20;
+  CHECK(bytes > mebibyte);
+  scene->Mapper->SetShadowMemoryLimit(1);
+  scene->Mapper->SetShadowResolution(0.5);
+  scene->Render();
+  CHECK(scene->Mapper->GetShadowBytes() <= mebibyte);
 }
 
 TEST_CASE(
