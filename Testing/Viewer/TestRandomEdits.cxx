@@ -69,6 +69,6 @@ TEST_CASE(
   const double memoryBefore = MemoryInUse();
   CHECK(CompareImages(picture, editOften(drawWithoutTimers)).rmse == 0.0);
   const double growth = MemoryInUse() - memoryBefore;
-  // Measured: 0.7. One picture leaked with each edit would be 180 and more.
+  // Measured: 0.7. One picture leaked with each edit would be 160.
   CHECK(growth <= 10.0);
 }
