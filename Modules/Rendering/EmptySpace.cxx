@@ -129,6 +129,35 @@ BrickBox FindBoxOfOccupied(const std::vector<unsigned char>& occupied, const Bri
 }
 
 //------------------------------------------------------------------------------
+std::vector<int> FindOuterBricks(const std::vector<unsigned char>& occupied, const BrickGrid& grid)
+{
+  const auto& counts = grid.Counts;
+  const std::array<int, 3> strides = { 1, counts[0], counts[0] * counts[1] };
+  const auto isOuter = [&](int brick)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int at = brick / strides[axis] % counts[axis];
+      if (at == 0 || at + 1 == counts[axis] || !occupied[brick - strides[axis]] ||
+        !occupied[brick + strides[axis]])
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  std::vector<int> outer;
+  for (int brick = 0; brick < static_cast<int>(occupied.size()); ++brick)
+  {
+    if (occupied[brick] && isOuter(brick))
+    {
+      outer.push_back(brick);
+    }
+  }
+  return outer;
+}
+
+//------------------------------------------------------------------------------
 BrickMap MapToBricks(const BrickGrid& grid)
 {
   BrickMap map;

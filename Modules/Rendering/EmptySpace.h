@@ -66,6 +66,11 @@ struct BrickBox
 PENUMBRARENDERING_EXPORT BrickBox FindBoxOfOccupied(
   const std::vector<unsigned char>& occupied, const BrickGrid& grid);
 
+/// The occupied bricks that a ray may meet first: those with an empty one, or none, across one of
+/// their faces.
+PENUMBRARENDERING_EXPORT std::vector<int> FindOuterBricks(
+  const std::vector<unsigned char>& occupied, const BrickGrid& grid);
+
 /// Scale and offset from texture coordinates to bricks.
 struct BrickMap
 {

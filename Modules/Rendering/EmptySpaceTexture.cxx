@@ -101,6 +101,7 @@ void EmptySpaceTexture::Load(vtkOpenGLRenderWindow* window, const TransferFuncti
   this->Report = { grid.Edge, grid.GetNumberOfBricks(), static_cast<int>(count),
     ComputeMeanExtinction(this->Bricks, occupied, table) };
   this->Report.Matter = PlaceBricks(FindBoxOfOccupied(occupied, grid), grid);
+  this->OuterBricks = FindOuterBricks(occupied, grid);
   std::vector<unsigned char> cubes = ComputeEmptyCubes(occupied, grid);
   constexpr int octants = 8;
   ResetTexture(this->Texture, window, vtkTextureObject::Nearest);
@@ -125,6 +126,7 @@ void EmptySpaceTexture::Release(vtkOpenGLRenderWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
   this->Report = {};
+  this->OuterBricks.clear();
 }
 
 }

@@ -15,6 +15,9 @@
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
 
+#include <array>
+#include <vector>
+
 class vtkDataArray;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -55,6 +58,8 @@ public:
   void Load(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table,
     const BrickVisibility& visibility);
   const EmptySpaceReport& GetReport() const { return this->Report; }
+  /// Around all that is visible, see FindOuterBricks.
+  const std::vector<int>& GetOuterBricks() const { return this->OuterBricks; }
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
   void SetUniforms(vtkShaderProgram* program) const;
@@ -64,6 +69,7 @@ private:
   vtkNew<vtkTextureObject> Texture;
   ScalarBricks Bricks;
   EmptySpaceReport Report;
+  std::vector<int> OuterBricks;
 };
 
 }

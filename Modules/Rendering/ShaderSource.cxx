@@ -11,6 +11,7 @@
 #include "GlslShadowRay.h"
 #include "GlslShadowStep.h"
 #include "GlslShadowVolumeFill.h"
+#include "GlslViewTiles.h"
 #include "OpacityMapPlan.h"
 #include "ShaderSnippets.h"
 
@@ -76,6 +77,12 @@ std::string GetFillSource(const Needs& needs, std::initializer_list<const char*>
 std::string GetVertexShaderSource()
 {
   return GlslBoxVertex;
+}
+
+//------------------------------------------------------------------------------
+std::string GetGeometryShaderSource(const LightingRequirements& requirements)
+{
+  return requirements.EmptySpaceSkipping ? GlslViewTiles : "";
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,10 @@ namespace penumbra
 /// The vertex shader of the box that stands for the volume.
 PENUMBRARENDERING_EXPORT std::string GetVertexShaderSource();
 
+/// The geometry shader that leaves out where nothing is seen; empty where no empty space is known.
+PENUMBRARENDERING_EXPORT std::string GetGeometryShaderSource(
+  const LightingRequirements& requirements);
+
 /// The fragment shader for these requirements; continued: a draw that goes on with what earlier
 /// draws of the same picture gathered.
 PENUMBRARENDERING_EXPORT std::string GetFragmentShaderSource(

@@ -30,6 +30,10 @@ void VolumeDrawing::SetUniforms(vtkShaderProgram* program)
   program->SetUniformi("scene_firstStep", this->Current.FirstStep);
   program->SetUniformi("scene_lastStep", this->Current.LastStep);
   SetUniform(program, "scene_boxToClip", this->Box.GetBoxToClip(this->Scene->Rays.TextureToClip));
+  if (this->Scene->Requirements.EmptySpaceSkipping)
+  {
+    this->SetTiles(program);
+  }
   this->Scene->SetUniforms(program);
   this->Textures.SetUniforms(program, this->Scene->Placement, this->Scene->UnitDistance);
   this->Environment.SetUniforms(program);
@@ -41,6 +45,21 @@ void VolumeDrawing::SetUniforms(vtkShaderProgram* program)
   {
     program->SetUniformi("scene_accumulated", this->Accumulation.GetPreviousTextureUnit());
     this->Accumulation.PreparePrimitives(this->Window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumeDrawing::SetTiles(vtkShaderProgram* program)
+{
+  const auto& viewport = this->Current.Viewport;
+  const ViewTiles tiles =
+    this->Textures.FindViewTiles(this->Scene->Rays.TextureToClip, viewport.Width, viewport.Height);
+  const int count = static_cast<int>(tiles.Rectangles.size());
+  program->SetUniformi("scene_tiles", tiles.Everywhere ? -1 : count);
+  if (count > 0)
+  {
+    program->SetUniform4fv(
+      "scene_tile", count, reinterpret_cast<const float(*)[4]>(tiles.Rectangles.data()));
   }
 }
 

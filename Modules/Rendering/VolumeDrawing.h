@@ -89,6 +89,7 @@ private:
     double imageSampleDistance);
   void DrawPart(vtkRenderer* renderer, const Part& part);
   void SetUniforms(vtkShaderProgram* program);
+  void SetTiles(vtkShaderProgram* program);
 
   vtkNew<vtkIlluminationPass> Pass;
   StandInBox Box;

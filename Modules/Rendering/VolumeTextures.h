@@ -12,6 +12,7 @@
 #include "MaskTexture.h"
 #include "ScalarTexture.h"
 #include "TransferFunctionTextures.h"
+#include "ViewTiles.h"
 #include "VolumePlacement.h"
 
 #include "vtkTimeStamp.h"
@@ -55,6 +56,12 @@ public:
   bool HasMask() const { return this->Mask.GetMask() != nullptr; }
   const TransferFunctionTextures& GetTransferFunctions() const { return this->TransferFunctions; }
   const EmptySpaceReport& GetEmptySpaceReport() const { return this->EmptySpace.GetReport(); }
+  /// The parts of a picture that visible matter is seen in.
+  ViewTiles FindViewTiles(const Matrix4& textureToClip, int width, int height) const
+  {
+    return penumbra::FindViewTiles(
+      this->EmptySpace.GetOuterBricks(), this->EmptySpace.GetGrid(), textureToClip, width, height);
+  }
   const GradientTextureReport& GetGradientReport() const { return this->Gradients.GetReport(); }
   /// Scalar units where the scalar texture holds 1.
   double GetScalarUnit() const { return this->Scalars.GetEncoding().Scale; }

@@ -37,7 +37,7 @@ bool vtkIlluminationPass::PostReplaceShaderValues(std::string& vertexShader,
 {
   this->FragmentSource = penumbra::GetFragmentShaderSource(this->Requirements, this->Continued);
   vertexShader = penumbra::GetVertexShaderSource();
-  geometryShader.clear();
+  geometryShader = penumbra::GetGeometryShaderSource(this->Requirements);
   fragmentShader = this->FragmentSource;
   ++this->NumberOfBuilds;
   return true;

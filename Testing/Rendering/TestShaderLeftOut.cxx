@@ -152,6 +152,14 @@ TEST_CASE("Only a draw that goes on reads what was gathered")
   CHECK_FALSE(reads(false));
 }
 
+TEST_CASE("Only where empty space is leapt over does the geometry leave it out")
+{
+  LightingRequirements requirements = MakeEverything().Expected();
+  CHECK(GetGeometryShaderSource(requirements).find("scene_tile") != std::string::npos);
+  requirements.EmptySpaceSkipping = false;
+  CHECK(GetGeometryShaderSource(requirements).empty());
+}
+
 TEST_CASE("Of every alternative a program has exactly one")
 {
   const std::vector<std::string> always = { "vec4 accumulatedBefore()", "vec3 shadedColor(vec3",
