@@ -65,7 +65,7 @@ Json DescribeGradientTexture(vtkIlluminatedVolumeMapper* mapper)
   {
     return nullptr;
   }
-  return { { "bits", mapper->GetGradientTextureBits() },
+  return { { "bits", mapper->GetActualGradientTextureBits() },
     { "bytes", mapper->GetGradientTextureBytes() },
     { "largestError", mapper->GetGradientTextureLargestError() },
     { "meanAngularError", mapper->GetGradientTextureAngularError() } };

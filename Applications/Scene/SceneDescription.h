@@ -204,7 +204,8 @@ struct SceneDescription
   MaterialDescription Material;
   GradientEstimator Gradient = GradientEstimator::CentralDifferences;
   /// Bits a component of gradients that are kept: 8 or 16. 0: they are estimated at each sample.
-  int GradientTexture = 0;
+  /// Empty: the mapper chooses.
+  std::optional<int> GradientTexture;
   std::vector<LightDescription> Lights = { DefaultLight() };
   bool TwoSidedLighting = true;
   ShadowsDescription Shadows;

@@ -34,13 +34,19 @@ void ParseOptics(JsonObject& scene, OpticalModel& optics)
 void ParseGradient(JsonObject& scene, SceneDescription& description)
 {
   scene.ReadChoice("gradient", description.Gradient, NamesOf(description.Gradient));
-  std::int64_t bits = description.GradientTexture;
-  scene.Read("gradientTexture", bits, 0, 16);
-  if (bits != 0 && bits != 8 && bits != 16)
+  const nlohmann::json* bits = scene.Find("gradientTexture");
+  if (bits && *bits == "auto")
   {
-    RefuseValue("gradientTexture", *scene.Find("gradientTexture"), "0, 8 or 16");
+    description.GradientTexture.reset();
   }
-  description.GradientTexture = static_cast<int>(bits);
+  else if (bits)
+  {
+    if (*bits != 0 && *bits != 8 && *bits != 16)
+    {
+      RefuseValue("gradientTexture", *bits, "\"auto\", 0, 8 or 16");
+    }
+    description.GradientTexture = bits->get<int>();
+  }
 }
 
 // More of them than that is marching the ray.

@@ -104,7 +104,8 @@ void ApplyIllumination(const SceneDescription& scene, vtkIlluminatedVolumeMapper
   mapper->SetShadowNearSteps(static_cast<int>(scene.Shadows.NearSteps));
   mapper->SetShadowSampleDistance(*scene.Shadows.SampleDistance);
   mapper->SetGradientEstimator(static_cast<int>(scene.Gradient));
-  mapper->SetGradientTextureBits(scene.GradientTexture);
+  mapper->SetGradientTextureBits(
+    scene.GradientTexture.value_or(vtkIlluminatedVolumeMapper::AutomaticGradientTexture));
   mapper->SetSkipEmptySpace(scene.SkipEmptySpace);
   mapper->SetOpticalModel(OpticalModelOf(scene.Optics));
 }

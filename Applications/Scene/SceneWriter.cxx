@@ -188,7 +188,7 @@ std::string WriteScene(const SceneDescription& scene, const std::filesystem::pat
   json["material"] = WriteMaterial(scene.Material, folder);
   json["opticalModel"] = NameOf(scene.Optics);
   json["gradient"] = NameOf(scene.Gradient);
-  json["gradientTexture"] = scene.GradientTexture;
+  json["gradientTexture"] = scene.GradientTexture ? Json(*scene.GradientTexture) : Json("auto");
   json["lights"] = WriteLights(scene.Lights);
   json["twoSidedLighting"] = scene.TwoSidedLighting;
   json["shadows"] = WriteShadows(scene.Shadows);

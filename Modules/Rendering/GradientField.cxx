@@ -16,11 +16,11 @@ namespace
 double FindLargestComponent(
   vtkDataArray* scalars, const std::array<int, 3>& dimensions, GradientEstimator estimator)
 {
-  Row largest(dimensions[2], 0.0);
-  ForEachRow(scalars, dimensions, estimator,
-    [&](vtkIdType, vtkIdType z, const std::array<Row, 3>& components)
+  Row<double> largest(dimensions[2], 0.0);
+  ForEachRow<double>(scalars, dimensions, estimator,
+    [&](vtkIdType, vtkIdType z, const std::array<Row<double>, 3>& components)
     {
-      for (const Row& component : components)
+      for (const Row<double>& component : components)
       {
         for (const double value : component)
         {
@@ -28,7 +28,9 @@ double FindLargestComponent(
         }
       }
     });
-  return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
+  return largest.empty()
+    ? 0.0
+    : *std::max_element(largest.begin(), largest.end()) / GetDifferenceDivisor(estimator);
 }
 
 /// What quantization does to gradients, whose largest component counts as 1.
@@ -63,9 +65,10 @@ std::vector<QuantizationErrors> Quantize(vtkDataArray* scalars,
   const std::array<int, 3>& dimensions, GradientEstimator estimator, double scale, Value* values)
 {
   constexpr double largest = std::numeric_limits<Value>::max();
+  const double divisor = GetDifferenceDivisor(estimator);
   std::vector<QuantizationErrors> errors(dimensions[2]);
-  ForEachRow(scalars, dimensions, estimator,
-    [&](vtkIdType row, vtkIdType z, const std::array<Row, 3>& components)
+  ForEachRow<double>(scalars, dimensions, estimator,
+    [&](vtkIdType row, vtkIdType z, const std::array<Row<double>, 3>& components)
     {
       Value* value = values + 3 * row * dimensions[0];
       for (int x = 0; x < dimensions[0]; ++x)
@@ -74,7 +77,7 @@ std::vector<QuantizationErrors> Quantize(vtkDataArray* scalars,
         double quantized[3];
         for (int axis = 0; axis < 3; ++axis)
         {
-          exact[axis] = components[axis][x] / scale;
+          exact[axis] = components[axis][x] / divisor / scale;
           *value = static_cast<Value>(exact[axis] * largest + std::copysign(0.5, exact[axis]));
           quantized[axis] = *value++ / largest;
         }
@@ -102,16 +105,17 @@ void SetErrors(QuantizedGradientField& field, const std::vector<QuantizationErro
 std::vector<float> ComputeGradientField(
   vtkDataArray* scalars, const std::array<int, 3>& dimensions, GradientEstimator estimator)
 {
+  const double divisor = GetDifferenceDivisor(estimator);
   std::vector<float> gradients(3 * scalars->GetNumberOfTuples());
-  ForEachRow(scalars, dimensions, estimator,
-    [&](vtkIdType row, vtkIdType, const std::array<Row, 3>& components)
+  ForEachRow<double>(scalars, dimensions, estimator,
+    [&](vtkIdType row, vtkIdType, const std::array<Row<double>, 3>& components)
     {
       float* gradient = gradients.data() + 3 * row * dimensions[0];
       for (int x = 0; x < dimensions[0]; ++x)
       {
-        for (const Row& component : components)
+        for (const Row<double>& component : components)
         {
-          *gradient++ = static_cast<float>(component[x]);
+          *gradient++ = static_cast<float>(component[x] / divisor);
         }
       }
     });

@@ -21,6 +21,8 @@ class vtkOpenGLRenderWindow;
 namespace penumbra
 {
 
+struct ScalarRange;
+
 /// What keeping gradients costs, see QuantizedGradientField.
 struct GradientTextureReport
 {
@@ -33,10 +35,12 @@ struct GradientTextureReport
 class GradientTexture
 {
 public:
-  /// Makes and loads the gradients, unless they are there already. False where the graphics card
-  /// cannot hold them. time: when the scalars or their place last changed.
+  /// Makes and loads the gradients, unless they are there already; exact ones
+  /// (GradientDifferences.h) of 16 bits, where range says that they are. False where the graphics
+  /// card cannot hold them. time: when the scalars or their place last changed.
   bool Update(vtkOpenGLRenderWindow* window, vtkDataArray* scalars,
-    const std::array<int, 3>& dimensions, vtkMTimeType time, GradientEstimator estimator, int bits);
+    const std::array<int, 3>& dimensions, const ScalarRange& range, vtkMTimeType time,
+    GradientEstimator estimator, int bits);
   void SetInterpolation(bool linear);
 
   const GradientTextureReport& GetReport() const { return this->Report; }
@@ -46,6 +50,12 @@ public:
   void Release(vtkOpenGLRenderWindow* window);
 
 private:
+  bool LoadDifferences(
+    vtkDataArray* scalars, const std::array<int, 3>& dimensions, GradientEstimator estimator);
+  bool LoadQuantized(vtkDataArray* scalars, const std::array<int, 3>& dimensions,
+    GradientEstimator estimator, int bits);
+  bool Load(const std::array<int, 3>& dimensions, int bits, void* values);
+
   vtkNew<vtkTextureObject> Texture;
   vtkTimeStamp LoadTime;
   vtkDataArray* LoadedScalars = nullptr;

@@ -47,7 +47,7 @@ LightedScene DescribeLighting(const PictureRequest& request, vtkLightCollection*
   lighted.Optics = GetOptics(mapper);
   lighted.Gradient = static_cast<GradientEstimator>(mapper->GetGradientEstimator());
   lighted.EnvironmentMap = PrepareEnvironment(request, drawing.GetEnvironment(), messages);
-  lighted.GradientTexture = mapper->GetGradientTextureBits() > 0;
+  lighted.GradientTexture = GetGradientTextureBits(request, textures) > 0;
   lighted.EmptySpace = PrepareEmptySpace(request, scene, textures);
   return lighted;
 }

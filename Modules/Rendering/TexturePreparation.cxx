@@ -103,11 +103,21 @@ bool PrepareEmptySpace(
 }
 
 //------------------------------------------------------------------------------
+int GetGradientTextureBits(const PictureRequest& request, const VolumeTextures& textures)
+{
+  const int bits = request.Mapper->GetGradientTextureBits();
+  return bits == vtkIlluminatedVolumeMapper::AutomaticGradientTexture
+    ? textures.ChooseGradientBits(
+        static_cast<GradientEstimator>(request.Mapper->GetGradientEstimator()))
+    : bits;
+}
+
+//------------------------------------------------------------------------------
 void PrepareGradients(const PictureRequest& request, DrawnScene& scene, VolumeTextures& textures,
   std::vector<std::string>& messages)
 {
   LightingRequirements& needs = scene.Requirements;
-  const int bits = needs.GradientTexture ? request.Mapper->GetGradientTextureBits() : 0;
+  const int bits = needs.GradientTexture ? GetGradientTextureBits(request, textures) : 0;
   if (!textures.UpdateGradients(request.Window, needs.Gradient, bits))
   {
     needs.GradientTexture = false;

@@ -28,6 +28,9 @@ std::string PrepareTextures(const PictureRequest& request, DrawnScene& scene,
 bool PrepareEmptySpace(
   const PictureRequest& request, const DrawnScene& scene, VolumeTextures& textures);
 
+/// As the mapper asks for them, or as it leaves them to the scalars.
+int GetGradientTextureBits(const PictureRequest& request, const VolumeTextures& textures);
+
 /// Loads the gradients where the requirements ask for them; takes that back where the graphics card
 /// cannot hold them.
 void PrepareGradients(const PictureRequest& request, DrawnScene& scene, VolumeTextures& textures,

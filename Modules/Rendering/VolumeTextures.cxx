@@ -1,5 +1,6 @@
 #include "VolumeTextures.h"
 
+#include "GradientDifferences.h"
 #include "GradientNoise.h"
 #include "MatrixUniforms.h"
 #include "VisibleScalars.h"
@@ -56,8 +57,20 @@ bool VolumeTextures::UpdateGradients(
     this->Gradients.Release(window);
     return true;
   }
-  return this->Gradients.Update(
-    window, this->LoadedScalars, this->LoadedDimensions, this->ScalarsTime, estimator, bits);
+  return this->Gradients.Update(window, this->LoadedScalars, this->LoadedDimensions,
+    this->Scalars.GetRange(), this->ScalarsTime, estimator, bits);
+}
+
+//------------------------------------------------------------------------------
+int VolumeTextures::ChooseGradientBits(GradientEstimator estimator) const
+{
+  constexpr vtkIdType mostBytes = 128 << 20;
+  constexpr vtkIdType bytesPerVoxel = 6;
+  const bool fits = bytesPerVoxel * this->LoadedScalars->GetNumberOfTuples() <= mostBytes;
+  return fits &&
+      AreDifferencesExact(this->LoadedScalars->GetDataType(), this->Scalars.GetRange(), estimator)
+    ? 16
+    : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,9 @@ public:
   }
   void UpdateTransferFunctions(
     vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, GradientEstimator estimator);
+  /// 16 where so many bits a component hold the gradients of the scalars that are loaded exactly
+  /// and take little memory; else 0.
+  int ChooseGradientBits(GradientEstimator estimator) const;
   /// Keeps the gradients of the scalars that are loaded, bits of 8 or 16 a component, or drops them
   /// where bits is 0. False where the graphics card cannot hold them.
   bool UpdateGradients(vtkOpenGLRenderWindow* window, GradientEstimator estimator, int bits);

@@ -35,7 +35,7 @@ vtkIlluminatedVolumeMapper::~vtkIlluminatedVolumeMapper() = default;
 //------------------------------------------------------------------------------
 void vtkIlluminatedVolumeMapper::SetGradientTextureBits(int bits)
 {
-  const int allowed = bits <= 0 ? 0 : bits <= 8 ? 8 : 16;
+  const int allowed = bits < 0 ? AutomaticGradientTexture : bits == 0 ? 0 : bits <= 8 ? 8 : 16;
   if (allowed != this->GradientTextureBits)
   {
     this->GradientTextureBits = allowed;

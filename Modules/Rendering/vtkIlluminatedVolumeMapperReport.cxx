@@ -87,6 +87,12 @@ int vtkIlluminatedVolumeMapper::GetNumberOfShaderBuilds() const
 }
 
 //------------------------------------------------------------------------------
+int vtkIlluminatedVolumeMapper::GetActualGradientTextureBits() const
+{
+  return this->Internal->GetGradients().Bits;
+}
+
+//------------------------------------------------------------------------------
 std::size_t vtkIlluminatedVolumeMapper::GetGradientTextureBytes() const
 {
   return this->Internal->GetGradients().Bytes;
@@ -190,6 +196,7 @@ void vtkIlluminatedVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("ActualShadowNearSteps", this->GetActualShadowNearSteps());
   print("NumberOfShadowUpdates", this->GetNumberOfShadowUpdates());
   print("ShadowUpdateSeconds", this->GetShadowUpdateSeconds());
+  print("ActualGradientTextureBits", this->GetActualGradientTextureBits());
   print("GradientTextureBytes", this->GetGradientTextureBytes());
   print("GradientTextureLargestError", this->GetGradientTextureLargestError());
   print("GradientTextureAngularError", this->GetGradientTextureAngularError());

@@ -101,6 +101,9 @@ TEST_CASE("Gradients and optical models are known by their names")
     CHECK(saved["gradient"] == gradients[gradient]);
     CHECK(saved["gradientTexture"] == 8);
   }
+  CHECK_FALSE(Parse(R"("gradientTexture": "auto")").GradientTexture.has_value());
+  CHECK(nlohmann::json::parse(WriteScene(
+          Parse(R"("gradientTexture": "auto")"), "/folder"))["gradientTexture"] == "auto");
   for (const std::string model : { "absorption", "emission", "absorption-emission" })
   {
     const auto scene = Parse(R"("opticalModel": ")" + model + "\"");
@@ -146,7 +149,7 @@ TEST_CASE("Impossible materials are refused by their keys")
     { R"("material": { "environmentMap": 3 })", "material.environmentMap is 3" },
     { R"("material": { "noiseFading": -1 })", "material.noiseFading is -1" },
     { R"("gradient": "scharr")", "gradient is \"scharr\"" },
-    { R"("gradientTexture": 12)", "gradientTexture is 12; accepted: 0, 8 or 16" },
+    { R"("gradientTexture": 12)", "gradientTexture is 12; accepted: \"auto\", 0, 8 or 16" },
     { R"("opticalModel": "scattering")", "opticalModel is \"scattering\"" },
   }));
   CHECK_THAT(MessageOf(mistake.members), ContainsSubstring(mistake.message));

@@ -3,7 +3,8 @@
 #include "PictureTest.h"
 #include "SyntheticVolumes.h"
 
-#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkVolumeProperty.h>
 
@@ -13,6 +14,19 @@ using namespace penumbra;
 
 namespace
 {
+constexpr int Automatic = vtkIlluminatedVolumeMapper::AutomaticGradientTexture;
+
+// The same scalars, no longer known to be whole.
+void MakeFloat(IlluminatedScene& scene)
+{
+  vtkNew<vtkImageData> image;
+  image->DeepCopy(scene.Mapper->GetInput());
+  vtkNew<vtkFloatArray> scalars;
+  scalars->DeepCopy(image->GetPointData()->GetScalars());
+  image->GetPointData()->SetScalars(scalars);
+  scene.Mapper->SetInputData(image);
+}
+
 std::unique_ptr<IlluminatedScene> MakeWaves(int estimator, int bits = 0)
 {
   VolumeGrid grid;
@@ -68,13 +82,23 @@ TEST_CASE("Picture: sobel", "[picture]")
 TEST_CASE("Gradients that are kept give the picture of those estimated at each sample")
 {
   const int estimator = GENERATE(range(0, 4));
-  const auto direct = MakeWaves(estimator)->Render();
-  const auto kept = MakeWaves(estimator, 16);
+  const bool whole = GENERATE(true, false);
+  const auto make = [&](int bits)
+  {
+    auto scene = MakeWaves(estimator, bits);
+    if (!whole)
+    {
+      MakeFloat(*scene);
+    }
+    return scene;
+  };
+  const auto direct = make(0)->Render();
+  const auto kept = make(16);
   // 16 bits are a 30,000th of the steepest gradient, which turns a normal by less than what is
-  // seen.
+  // seen; of whole scalars they are exact.
   CHECK(LargestDifference(direct, kept->Render()) <= 1.0);
   CHECK(kept->Mapper->GetGradientTextureBytes() == 32 * 32 * 24 * 3 * 2);
-  CHECK(kept->Mapper->GetGradientTextureLargestError() > 0.0);
+  CHECK((kept->Mapper->GetGradientTextureLargestError() > 0.0) == !whole);
   kept->Mapper->SetGradientTextureBits(8);
   // 8 bits are a 127th: faint gradients turn by degrees.
   CHECK(LargestDifference(direct, kept->Render()) <= 12.0);
@@ -82,6 +106,36 @@ TEST_CASE("Gradients that are kept give the picture of those estimated at each s
   kept->Mapper->SetGradientTextureBits(0);
   CHECK(LargestDifference(direct, kept->Render()) == 0.0);
   CHECK(kept->Mapper->GetGradientTextureBytes() == 0);
+}
+
+TEST_CASE("Gradients are kept by themselves where that is exact and small")
+{
+  const auto scene = MakeWaves(GENERATE(range(0, 4)), Automatic);
+  const auto getBits = [&]
+  {
+    scene->Render();
+    return scene->Mapper->GetActualGradientTextureBits();
+  };
+  CHECK(getBits() == 16);
+  CHECK(scene->Mapper->GetGradientTextureLargestError() == 0.0);
+  scene->Shade(false);
+  CHECK(getBits() == 0);
+  scene->Shade(true);
+  MakeFloat(*scene);
+  CHECK(getBits() == 0);
+}
+
+TEST_CASE("Gradients are not kept by themselves where they take more than 128 MiB")
+{
+  // Six bytes a voxel.
+  const int slices = GENERATE(85, 86);
+  VolumeGrid grid;
+  grid.dimensions = { 512, 512, slices };
+  IlluminatedScene scene(
+    SampleField(grid, [](const Point& p) { return p[0] > 256.0 ? 200 : 0; }), 8, 8);
+  scene.AddDirectionalLight(-0.6, -0.7, -0.4, vtkVolumeLight::None);
+  scene.Render();
+  CHECK(scene.Mapper->GetActualGradientTextureBits() == (slices == 85 ? 16 : 0));
 }
 
 TEST_CASE("Gradients that are kept follow the volume and the estimator")

@@ -50,8 +50,9 @@ TEST_CASE("A mapper prints what its last picture took")
   scene.Render();
   const std::string printed = Print(scene.Mapper);
   for (const char* line : { "ShadowTechniqueReason: as asked\n", "ActualShadowNearSteps: 4\n",
-         "NumberOfShadowUpdates: 1\n", "GradientTextureBytes: 0\n", "BrickEdge: 4\n",
-         "ActualImageSampleDistance: 1\n", "NumberOfDraws: 1\n", "NumberOfMessages: 0\n" })
+         "NumberOfShadowUpdates: 1\n", "GradientTextureBytes: 24576\n",
+         "ActualGradientTextureBits: 16\n", "BrickEdge: 4\n", "ActualImageSampleDistance: 1\n",
+         "NumberOfDraws: 1\n", "NumberOfMessages: 0\n" })
   {
     CHECK_THAT(printed, Catch::Matchers::ContainsSubstring(line));
   }
