@@ -20,13 +20,15 @@ SCENES = [("engine", "fog"), ("engine", "soft"), ("engine", "dense"), ("bonsai",
 PLAIN = ["shadows.resolution=1", "shadows.nearSteps=0"]
 FINE = ["shadows.resolution=1", "shadows.nearSteps=4"]
 COARSE = ["shadows.resolution=0.5", "shadows.nearSteps=0"]
+ONE = ["shadows.resolution=1", "shadows.nearSteps=1"]
 TWO = ["shadows.resolution=1", "shadows.nearSteps=2"]
+FINER_PLAIN = ["shadows.resolution=1.25", "shadows.nearSteps=0"]
 FINER = ["shadows.resolution=1.25", "shadows.nearSteps=3"]
 FINEST = ["shadows.resolution=1.5", "shadows.nearSteps=4"]
 MEDIUM = ["shadows.resolution=0.75", "shadows.nearSteps=0"]
 OPTIONS = [("rays", FINE), ("volume", COARSE), ("volume", MEDIUM), ("deep-map", PLAIN), ("volume", FINE),
            ("deep-map", FINE), ("opacity-map", PLAIN), ("opacity-map", TWO), ("opacity-map", FINER), ("opacity-map", FINEST),
-           ("volume", PLAIN)]
+           ("volume", PLAIN), ("opacity-map", ONE), ("opacity-map", FINER_PLAIN), ("volume", ONE)]
 COUNT = len(OPTIONS)
 
 

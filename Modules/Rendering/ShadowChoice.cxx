@@ -12,7 +12,7 @@ namespace penumbra
 {
 namespace
 {
-constexpr std::size_t NumberOfOptions = 11;
+constexpr std::size_t NumberOfOptions = 14;
 
 // Of the options, in their order.
 using OptionErrors = std::array<double, NumberOfOptions>;
@@ -47,7 +47,9 @@ constexpr OptionSettings Settings[NumberOfOptions] = { { ShadowTechnique::Rays, 
   { ShadowTechnique::DeepMap, 1.0, 0 }, { ShadowTechnique::Volume, 1.0, 4 },
   { ShadowTechnique::DeepMap, 1.0, 4 }, { ShadowTechnique::OpacityMap, 1.0, 0 },
   { ShadowTechnique::OpacityMap, 1.0, 2 }, { ShadowTechnique::OpacityMap, 1.25, 3 },
-  { ShadowTechnique::OpacityMap, 1.5, 4 }, { ShadowTechnique::Volume, 1.0, 0 } };
+  { ShadowTechnique::OpacityMap, 1.5, 4 }, { ShadowTechnique::Volume, 1.0, 0 },
+  { ShadowTechnique::OpacityMap, 1.0, 1 }, { ShadowTechnique::OpacityMap, 1.25, 0 },
+  { ShadowTechnique::Volume, 1.0, 1 } };
 
 const OptionSettings& GetSettings(ShadowOption option)
 {

@@ -46,7 +46,8 @@ struct ShadowChoiceTask
 /// What there is to choose from: rays; volumes of a half and of three quarters of the data's
 /// resolution; deep maps; a volume of its full resolution and deep maps, with the first steps
 /// marched; opacity maps, with the first steps marched too, and two finer ones; a volume of its
-/// full resolution without marched steps.
+/// full resolution without marched steps; an opacity map with a single step marched, and a finer
+/// one with none; a volume of its full resolution with a single step marched.
 enum class ShadowOption
 {
   Rays,
@@ -59,7 +60,10 @@ enum class ShadowOption
   MarchedOpacityMap,
   FineOpacityMap,
   FinestOpacityMap,
-  Volume
+  Volume,
+  OneStepOpacityMap,
+  UnmarchedFineOpacityMap,
+  OneStepVolume
 };
 
 struct ShadowChoice

@@ -2,6 +2,8 @@
 #include "ShadowChoice.h"
 
 #include <cmath>
+#include <random>
+#include <set>
 
 using namespace penumbra;
 
@@ -10,7 +12,8 @@ namespace
 constexpr ShadowOption Options[] = { ShadowOption::Rays, ShadowOption::CoarseVolume,
   ShadowOption::MediumVolume, ShadowOption::DeepMap, ShadowOption::MarchedVolume,
   ShadowOption::MarchedDeepMap, ShadowOption::OpacityMap, ShadowOption::MarchedOpacityMap,
-  ShadowOption::FineOpacityMap, ShadowOption::FinestOpacityMap, ShadowOption::Volume };
+  ShadowOption::FineOpacityMap, ShadowOption::FinestOpacityMap, ShadowOption::Volume, ShadowOption::OneStepOpacityMap,
+  ShadowOption::UnmarchedFineOpacityMap, ShadowOption::OneStepVolume };
 
 // A bone-like volume of 256^3 on 512 x 512 pixels, a tenth of it occupied.
 ShadowChoiceTask MakeTask()
@@ -53,6 +56,32 @@ TEST_CASE("The chosen technique is the cheapest of those within the tolerance")
     }
   }
   CHECK((choice.PredictedError <= task.Tolerance) == anyWithin);
+}
+
+TEST_CASE("Every option is the choice of some scene")
+{
+  std::mt19937 generator(1);
+  const auto draw = [&](double low, double high)
+  { return low * std::pow(high / low, std::uniform_real_distribution<double>()(generator)); };
+  std::set<ShadowOption> chosen;
+  for (int scene = 0; scene < 5000; ++scene)
+  {
+    ShadowChoiceTask task = MakeTask();
+    task.SoftLights = static_cast<int>(draw(1.0, 9.0));
+    task.VoxelDepth = draw(0.02, 3.0);
+    task.Pixels = std::pow(draw(128.0, 2048.0), 2);
+    task.MatterAcross = draw(50.0, 800.0);
+    task.VoxelsAcross = 1.5 * task.MatterAcross;
+    task.Voxels = std::pow(task.MatterAcross, 3) / 4.0;
+    task.Occupied = draw(0.01, 1.0);
+    task.Tolerance = draw(0.2, 2.0);
+    chosen.insert(ChooseShadowTechnique(task).Option);
+  }
+  for (const ShadowOption option : Options)
+  {
+    INFO(static_cast<int>(option));
+    CHECK(chosen.count(option) == 1);
+  }
 }
 
 TEST_CASE("Where nothing is within the tolerance the least error counts")
