@@ -17,10 +17,11 @@ using Value = std::function<std::optional<double>(const SpeedRow&)>;
 
 constexpr double LargestError = 1.0;
 
+// As it was asked for, or as auto chose it.
 bool IsCached(const SpeedRow& row)
 {
   static const std::set<std::string> cached = { "volume", "deep-map", "opacity-map" };
-  return cached.count(row.Variant) > 0 && row.Technique == row.Variant;
+  return cached.count(row.Technique) > 0 && (row.Variant == row.Technique || row.Variant == "auto");
 }
 
 bool IsCachedOrAuto(const SpeedRow& row)

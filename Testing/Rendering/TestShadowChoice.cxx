@@ -12,8 +12,9 @@ namespace
 constexpr ShadowOption Options[] = { ShadowOption::Rays, ShadowOption::CoarseVolume,
   ShadowOption::MediumVolume, ShadowOption::DeepMap, ShadowOption::MarchedVolume,
   ShadowOption::MarchedDeepMap, ShadowOption::OpacityMap, ShadowOption::MarchedOpacityMap,
-  ShadowOption::FineOpacityMap, ShadowOption::FinestOpacityMap, ShadowOption::Volume, ShadowOption::OneStepOpacityMap,
-  ShadowOption::UnmarchedFineOpacityMap, ShadowOption::OneStepVolume };
+  ShadowOption::FineOpacityMap, ShadowOption::FinestOpacityMap, ShadowOption::Volume,
+  ShadowOption::OneStepOpacityMap, ShadowOption::UnmarchedFineOpacityMap,
+  ShadowOption::OneStepVolume };
 
 // A bone-like volume of 256^3 on 512 x 512 pixels, a tenth of it occupied.
 ShadowChoiceTask MakeTask()

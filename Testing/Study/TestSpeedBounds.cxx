@@ -50,10 +50,17 @@ TEST_CASE("Of the techniques with a cache the cheapest that is right enough coun
   CHECK(ValueOf(rows, "error of cached shadows") == 5.0);
 }
 
+TEST_CASE("A cache that auto chose counts too")
+{
+  std::vector<SpeedRow> rows = { Cached("a", "volume", 0.5, 0.9), Cached("a", "auto", 0.3, 0.8) };
+  rows[1].Technique = "opacity-map";
+  CHECK(ValueOf(rows, "a soft shadow from a cache") == 0.3);
+}
+
 TEST_CASE("A cache that rays stood in for is none")
 {
-  std::vector<SpeedRow> rows = { Cached("a", "volume", 0.2, 0.5) };
-  rows[0].Technique = "rays";
+  std::vector<SpeedRow> rows = { Cached("a", "volume", 0.2, 0.5), Cached("a", "auto", 0.2, 0.5) };
+  rows[0].Technique = rows[1].Technique = "rays";
   CHECK_FALSE(Find(JudgeSpeed(rows), "a soft shadow from a cache"));
 }
 
