@@ -190,6 +190,7 @@ TEST_CASE("No estimator finds a normal in even matter")
   const int estimator = GENERATE(range<int>(
     vtkIlluminatedVolumeMapper::CentralDifferences, vtkIlluminatedVolumeMapper::Sobel + 1));
   scene.Mapper->SetGradientEstimator(estimator);
+  scene.Mapper->SetGradientTextureBits(GENERATE(0, 8, 16));
   scene.Mapper->CroppingOn();
   scene.Mapper->SetCroppingRegionPlanes(0.0, 18.0, 0.0, 30.0, 0.0, 30.0);
   scene.Opacity->RemoveAllPoints();
