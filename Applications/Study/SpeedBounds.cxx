@@ -2,6 +2,7 @@
 
 #include "Median.h"
 #include "NumberText.h"
+#include "SpeedGrid.h"
 
 #include <algorithm>
 #include <functional>
@@ -64,14 +65,14 @@ public:
     this->AddMedian("a soft shadow from a cache", 0.4, cached);
     this->AddLargest("a soft shadow from a cache, on any", 0.6, cached, Relative);
     this->AddMedian("a soft shadow by rays", 1.2, this->PlainRows("rays"));
-    this->AddLargest("four lights over one", 1.5, this->PlainRows("auto"),
-      [this](const SpeedRow& row) { return this->OverOthers(row, 4, row.Edge, true); });
+    this->AddLargest("four lights over one", 1.5, this->RowsOfFourLights(),
+      [this](const SpeedRow& row) { return this->OverOneLight(row); });
     this->AddLargest("a moved light", 3.0, this->PlainRows("auto"),
       [](const SpeedRow& row) { return row.InStockFrames(row.LightEdit.value_or(0.0)); });
     this->AddLargest("a changed opacity", 3.0, this->PlainRows("auto"),
       [](const SpeedRow& row) { return row.InStockFrames(row.OpacityEdit.value_or(0.0)); });
     this->AddLargest("twice the edge", 2.2, this->OfEdge(128),
-      [this](const SpeedRow& row) { return this->OverOthers(row, 1, 256, false); });
+      [this](const SpeedRow& row) { return this->OverEdge(row, 256); });
     this->AddLargest("error of cached shadows", LargestError, Select(this->Plain, IsCachedOrAuto),
       [](const SpeedRow& row) { return row.Error->RootMeanSquare; });
     this->AddLargest("pixels changed by skipping, of 10000", 1.0, this->Plain,
@@ -133,19 +134,52 @@ private:
     return error < otherError;
   }
 
-  // What a scene costs with so many lights or voxels, over what it costs in this row.
-  std::optional<double> OverOthers(const SpeedRow& row, int lights, int edge, bool isOwnSize) const
+  Rows RowsOfFourLights() const
+  {
+    return Select(this->All,
+      [](const SpeedRow& row)
+      {
+        return row.HasBounds && row.IsOwnSize && row.Image == 512 && row.Lights == 4 &&
+          row.Variant == "auto";
+      });
+  }
+
+  // Over the frame with one of the lights, which was timed in turn with it.
+  std::optional<double> OverOneLight(const SpeedRow& row) const
+  {
+    return Divide(row,
+      this->FindOf(row,
+        [&](const SpeedRow& other) {
+          return other.IsOwnSize && other.Lights == row.Lights && other.Variant == AutoOfOneLight;
+        }));
+  }
+
+  // What a scene costs with so many voxels, over what it costs in this row.
+  std::optional<double> OverEdge(const SpeedRow& row, int edge) const
+  {
+    const SpeedRow* larger = this->FindOf(row,
+      [&](const SpeedRow& other)
+      {
+        return !other.IsOwnSize && other.Edge == edge && other.Lights == row.Lights &&
+          other.Variant == row.Variant;
+      });
+    return larger ? Divide(*larger, &row) : std::nullopt;
+  }
+
+  // Another row of the scene at the same image size. Null where there is none.
+  const SpeedRow* FindOf(
+    const SpeedRow& row, const std::function<bool(const SpeedRow&)>& isMeant) const
   {
     const auto found = std::find_if(this->All.begin(), this->All.end(),
       [&](const SpeedRow& other)
-      {
-        return other.Scene == row.Scene && other.Variant == row.Variant &&
-          other.Image == row.Image && other.Lights == lights && other.Edge == edge &&
-          other.IsOwnSize == isOwnSize;
-      });
-    return found == this->All.end() || row.CpuSeconds <= 0.0
-      ? std::nullopt
-      : std::optional<double>(found->CpuSeconds / row.CpuSeconds);
+      { return other.Scene == row.Scene && other.Image == row.Image && isMeant(other); });
+    return found == this->All.end() ? nullptr : &*found;
+  }
+
+  static std::optional<double> Divide(const SpeedRow& row, const SpeedRow* by)
+  {
+    return by && by->CpuSeconds > 0.0 ? std::optional<double>(row.CpuSeconds / by->CpuSeconds)
+                                      : std::nullopt;
   }
 
   void AddMedian(const std::string& name, double limit, const Rows& rows)

@@ -63,6 +63,16 @@ void ForgetTruths(std::vector<SpeedVariant>& variants)
   }
 }
 
+// What an edit costs is told of one soft shadow, as bounds are stated for.
+void ForgetEdits(const SpeedCell& cell, std::vector<SpeedVariant>& variants)
+{
+  for (SpeedVariant& variant : variants)
+  {
+    const bool isHard = variant.Name.find("hard") != std::string::npos;
+    variant.HasEdits = variant.HasEdits && cell.IsPlain() && !isHard;
+  }
+}
+
 // The picture of an unlit scene is the stock mapper's where steps are short.
 SpeedVariant UnlitAtQuarterVoxel()
 {
@@ -112,17 +122,34 @@ void AddProduct(const SpeedScene& scene, std::vector<SpeedCell>& grid)
 
 //------------------------------------------------------------------------------
 const char* const StockUnlit = "vtk, unlit";
+const char* const AutoOfOneLight = "auto, one light";
 
 //------------------------------------------------------------------------------
 std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full)
 {
+  // Of scenes without axes bounds alone are asked with several lights.
+  const bool isWhole = full || cell.Lights == 1 || cell.Scene.HasAxes;
   std::vector<SpeedVariant> variants = { { StockUnlit, { StockUnlitSettings }, {}, false,
-                                           ManyRounds },
-    { "vtk, lit", { Lit({ "renderer=vtk" }) }, {} }, { "unlit", { UnlitSettings }, {} },
-    { "lit", { Lit({ "lights.0.shadow=none" }) }, {} } };
-  for (const char* technique : { "rays", "volume", "deep-map", "opacity-map", "auto" })
+    ManyRounds } };
+  if (isWhole)
   {
-    variants.push_back(ShadowVariant(technique, "soft"));
+    variants.push_back({ "vtk, lit", { Lit({ "renderer=vtk" }) }, {} });
+  }
+  variants.push_back({ "unlit", { UnlitSettings }, {} });
+  variants.push_back({ "lit", { Lit({ "lights.0.shadow=none" }) }, {} });
+  if (isWhole)
+  {
+    for (const char* technique : { "rays", "volume", "deep-map", "opacity-map" })
+    {
+      variants.push_back(ShadowVariant(technique, "soft"));
+    }
+  }
+  variants.push_back(ShadowVariant("auto", "soft"));
+  if (cell.IsPlainOfFourLights())
+  {
+    variants.push_back(ShadowVariant("auto", "soft"));
+    variants.back().Name = AutoOfOneLight;
+    variants.back().Request.HasOneLight = true;
   }
   if (cell.Lights > 1)
   {
@@ -139,6 +166,10 @@ std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full)
   if (full && cell.Lights == 1 && cell.Image == 512)
   {
     AddResolutions(variants);
+  }
+  if (!full)
+  {
+    ForgetEdits(cell, variants);
   }
   return variants;
 }

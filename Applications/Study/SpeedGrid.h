@@ -38,6 +38,11 @@ struct SpeedCell
 
   /// The volume in its own size, with one light at 512 x 512 pixels: what bounds are stated for.
   bool IsPlain() const { return this->Edge == 0 && this->Image == 512 && this->Lights == 1; }
+  /// The same with four lights, which are held against one.
+  bool IsPlainOfFourLights() const
+  {
+    return this->Edge == 0 && this->Image == 512 && this->Lights == 4;
+  }
 };
 
 /// How a cell is drawn.
@@ -48,6 +53,8 @@ struct SpeedRequest
   /// Of view rays and of shadow rays, in the smallest voxel spacing.
   double Step = 1.0;
   double ShadowStep = 1.0;
+  /// Not the cell's copies of the first light, but it.
+  bool HasOneLight = false;
 };
 
 constexpr int MostRounds = 3;
@@ -66,9 +73,13 @@ struct SpeedVariant
 
 /// The frame that all others are multiples of: the stock mapper's, unlit.
 extern const char* const StockUnlit;
+/// What several lights are held against, in turn with them.
+extern const char* const AutoOfOneLight;
 
 /**
- * The variants of a cell, the stock unlit frame first. `full` adds the techniques' resolutions.
+ * The variants of a cell, the stock unlit frame first. `full` adds the techniques' resolutions,
+ * edits of hard shadows and beside the plain cells, and all techniques with several lights in
+ * scenes without axes.
  */
 std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full);
 

@@ -160,8 +160,9 @@ private:
     }
     if (this->Cell.IsPlain())
     {
-      drawn.Row.ChangedBySkipping =
-        SkipsEmptySpace(report) ? this->ChangedBySkipping(drawn) : std::nullopt;
+      drawn.Row.ChangedBySkipping = this->Cell.Scene.HasBounds && SkipsEmptySpace(report)
+        ? this->ChangedBySkipping(drawn)
+        : std::nullopt;
       drawn.Row.PeakMemory = this->PeakMemoryOf(drawn.Variant);
     }
   }

@@ -60,7 +60,7 @@ SceneDescription DescribeSpeedScene(
   scene.SampleDistance = request.Step * voxel;
   scene.Shadows.SampleDistance = request.ShadowStep * voxel;
   ResolveScene(scene, voxels.Volume);
-  SetLights(scene, cell.Lights);
+  SetLights(scene, request.HasOneLight ? 1 : cell.Lights);
   ResolveScene(scene, voxels.Volume);
   return scene;
 }

@@ -1,5 +1,6 @@
 #include "Catch.h"
 #include "SpeedBounds.h"
+#include "SpeedGrid.h"
 #include "SpeedRows.h"
 
 using namespace penumbra;
@@ -66,8 +67,10 @@ TEST_CASE("A cache that rays stood in for is none")
 
 TEST_CASE("More lights and more voxels are held against fewer")
 {
-  std::vector<SpeedRow> rows = { Row("a", "auto", 0.5), Row("a", "auto", 0.8) };
-  rows[1].Lights = 4;
+  // One light is timed in turn with the four, and again where it is alone.
+  std::vector<SpeedRow> rows = { Row("a", "auto", 0.4), Row("a", "auto", 0.8),
+    Row("a", AutoOfOneLight, 0.5), Row("b", "auto", 0.1) };
+  rows[1].Lights = rows[2].Lights = rows[3].Lights = 4;
   CHECK(ValueOf(rows, "four lights over one") == Approx(1.6));
   for (const int edge : { 128, 256 })
   {

@@ -78,6 +78,45 @@ TEST_CASE("Shadows of one light are held against a truth, those of many are time
   }
 }
 
+TEST_CASE("Edits are of one soft shadow in the plain cell, of all that is kept in the whole grid")
+{
+  const SpeedScene scene = { "a", "a.json", true, true };
+  const SpeedCell cell = GENERATE_COPY(
+    values<SpeedCell>({ { scene }, { scene, 64 }, { scene, 0, 256 }, { scene, 0, 512, 4 } }));
+  const bool full = GENERATE(false, true);
+  for (const SpeedVariant& variant : GetSpeedVariants(cell, full))
+  {
+    CAPTURE(NameOfCell(cell), variant.Name, full);
+    const bool isKept = variant.Name.find("lit") == std::string::npos &&
+      variant.Name.find("rays") == std::string::npos;
+    const bool isHard = variant.Name.find("hard") != std::string::npos;
+    CHECK(variant.HasEdits == (isKept && (full || (cell.IsPlain() && !isHard))));
+  }
+}
+
+TEST_CASE("Scenes without axes have the techniques with one light, and auto with more")
+{
+  const auto namesOf = [](bool hasAxes, int lights, bool full)
+  {
+    std::set<std::string> names;
+    for (const SpeedVariant& variant :
+      GetSpeedVariants({ { "a", "a.json", true, hasAxes }, 0, 512, lights }, full))
+    {
+      names.insert(variant.Name);
+    }
+    return names;
+  };
+  CHECK(namesOf(false, 4, false) ==
+    std::set<std::string>{ StockUnlit, "unlit", "lit", "auto", AutoOfOneLight });
+  for (const auto& names :
+    { namesOf(false, 1, false), namesOf(true, 4, false), namesOf(false, 4, true) })
+  {
+    CHECK(names.count("auto") == 1);
+    CHECK(names.count("volume") == 1);
+    CHECK(names.count("vtk, lit") == 1);
+  }
+}
+
 TEST_CASE("Steps are voxels, and lights copies of the first that are as bright together")
 {
   const TemporaryFolder folder;
@@ -100,6 +139,9 @@ TEST_CASE("Steps are voxels, and lights copies of the first that are as bright t
   // Evenly about the view's up, which is z, only what is along it remains.
   CHECK(std::hypot(sum[0], sum[1]) < 1e-12);
   CHECK(sum[2] == Approx(4.0 * scene.Lights[0].Direction[2]));
+  const SceneDescription alone = DescribeSpeedScene(cell, { {}, 1.0, 1.0, true }, voxels);
+  REQUIRE(alone.Lights.size() == 1);
+  CHECK(alone.Lights[0].Intensity == 1.0);
 }
 
 TEST_CASE("Scenes whose volume is not there are left out and named")
