@@ -51,6 +51,10 @@ bool IsTerminalAtStandardError()
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <fstream>
+#include <limits>
+#include <string>
+
 namespace penumbra
 {
 namespace
@@ -66,6 +70,23 @@ double ToSeconds(const timeval& time)
 {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
+
+// What Linux tells of this program alone. 0 elsewhere.
+std::uint64_t PeakResidentBytes()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string name; status >> name;)
+  {
+    if (name == "VmHWM:")
+    {
+      std::uint64_t kibibytes = 0;
+      status >> kibibytes;
+      return 1024 * kibibytes;
+    }
+    status.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  return 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -78,6 +99,12 @@ double ProcessorSeconds()
 //------------------------------------------------------------------------------
 std::uint64_t PeakMemoryBytes()
 {
+  // The usage below counts what the process held before it became this program: all of what
+  // started it.
+  if (const std::uint64_t peak = PeakResidentBytes())
+  {
+    return peak;
+  }
 #ifdef __APPLE__
   constexpr std::uint64_t unit = 1;
 #else

@@ -3,7 +3,9 @@
 #include "StudyScenes.h"
 #include "TemporaryFolder.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 using namespace penumbra;
 
@@ -48,4 +50,17 @@ TEST_CASE("A scene comes back as a picture and a report")
   CHECK(result.Picture->Height == 10);
   CHECK(result.Report["frameCpuSeconds"].size() == 2);
   CHECK(program.Run({ scenes.front().File, { "sampleDistance=0" } }).End == RenderEnd::Refused);
+}
+
+TEST_CASE("The memory that is told is the program's, not what started it")
+{
+  // All of it is written to, and thereby held: more than twice what 20 x 10 pixels take.
+  const std::vector<char> held(std::size_t(1) << 30, 'x');
+  const TemporaryFolder folder;
+  const auto scenes = WriteDefaultScenes(folder.PathOf(""), folder.PathOf("nothing"));
+  const RenderResult result =
+    RenderProgram(PENUMBRA_RENDER, folder.PathOf(""))
+      .Run({ scenes.front().File, { "image.size=[20,10]", "sampleDistance=2" } });
+  REQUIRE(result.End == RenderEnd::Done);
+  CHECK(result.Report["peakMemoryBytes"].get<std::uint64_t>() < held.size());
 }
