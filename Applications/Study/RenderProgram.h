@@ -60,6 +60,8 @@ public:
 
   RenderResult Run(const RenderRequest& request) const;
 
+  const std::filesystem::path& GetWorkFolder() const { return this->WorkFolder; }
+
 private:
   std::filesystem::path Program;
   std::filesystem::path WorkFolder;

@@ -147,7 +147,8 @@ std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full)
   variants.push_back(ShadowVariant("auto", "soft"));
   if (cell.IsPlainOfFourLights())
   {
-    variants.push_back(ShadowVariant("auto", "soft"));
+    variants.back().Rounds = RoundsOfFourLights;
+    variants.push_back(variants.back());
     variants.back().Name = AutoOfOneLight;
     variants.back().Request.HasOneLight = true;
   }

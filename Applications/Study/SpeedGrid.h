@@ -57,7 +57,9 @@ struct SpeedRequest
   bool HasOneLight = false;
 };
 
-constexpr int MostRounds = 3;
+constexpr int UsualRounds = 3;
+/// What is held against one another there differs by little more than frames do.
+constexpr int RoundsOfFourLights = 9;
 
 struct SpeedVariant
 {
@@ -68,7 +70,7 @@ struct SpeedVariant
   /// Frames after edits of light and opacity are timed too.
   bool HasEdits = false;
   /// How often its frames are timed.
-  int Rounds = MostRounds;
+  int Rounds = UsualRounds;
 };
 
 /// The frame that all others are multiples of: the stock mapper's, unlit.

@@ -2,10 +2,12 @@
 
 #include "InputError.h"
 #include "RenderingError.h"
+#include "SceneWriter.h"
 #include "SpeedRendering.h"
 #include "SpeedRenderingReport.h"
 #include "SpeedTimes.h"
 #include "SpeedVoxels.h"
+#include "StudyScenes.h"
 
 #include <vtkImageData.h>
 #include <vtkOutputWindow.h>
@@ -76,7 +78,8 @@ public:
     {
       this->Attempt(drawn.Variant.Name, [&] { this->Judge(drawn); });
     }
-    for (int round = 0; round < MostRounds; ++round)
+    const int rounds = this->Cell.IsPlainOfFourLights() ? RoundsOfFourLights : UsualRounds;
+    for (int round = 0; round < rounds; ++round)
     {
       this->TimeRound();
     }
@@ -196,9 +199,16 @@ private:
     {
       return std::nullopt;
     }
-    RenderRequest request{ this->Cell.Scene.File, variant.Request.Settings };
-    request.Settings.push_back("image.size=[16,16]");
-    const RenderResult result = this->Measuring.Program->Run(request);
+    const std::filesystem::path& folder = this->Measuring.Program->GetWorkFolder();
+    const std::filesystem::path file = folder / "scene.json";
+    SceneDescription scene = DescribeSpeedScene(this->Cell, variant.Request, this->Voxels);
+    // What auto keeps depends on how many pixels there are, what others keep does not.
+    if (variant.Name != "auto")
+    {
+      scene.Image.Size = { 16, 16 };
+    }
+    WriteText(file, WriteScene(scene, folder));
+    const RenderResult result = this->Measuring.Program->Run({ file });
     return result.End == RenderEnd::Done
       ? std::optional<std::uint64_t>(result.Report["peakMemoryBytes"])
       : std::nullopt;

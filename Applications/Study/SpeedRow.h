@@ -56,7 +56,7 @@ struct SpeedRow
   std::optional<PictureError> Error;
   /// Part of the pixels that skipping empty space changes by more than a grey level.
   std::optional<double> ChangedBySkipping;
-  /// The most memory that penumbra-render holds for it, at 16 x 16 pixels, in bytes.
+  /// The most bytes that penumbra-render holds for it, at 16 x 16 pixels but for auto.
   std::optional<std::uint64_t> PeakMemory;
   /// What the renderer counts of the frame, by name.
   std::map<std::string, double> Counts;

@@ -117,6 +117,25 @@ TEST_CASE("Scenes without axes have the techniques with one light, and auto with
   }
 }
 
+TEST_CASE("Four lights and one of them are timed more often than all else, and as often")
+{
+  const TemporaryFolder folder;
+  for (const int lights : { 1, 4 })
+  {
+    SpeedCell cell = Tree(folder, 22, lights);
+    cell.Edge = 0;
+    cell.Image = 512;
+    for (const SpeedVariant& variant : GetSpeedVariants(cell, false))
+    {
+      CAPTURE(lights, variant.Name);
+      const bool isCompared =
+        lights == 4 && (variant.Name == "auto" || variant.Name == AutoOfOneLight);
+      CHECK((variant.Rounds == RoundsOfFourLights) == isCompared);
+      CHECK(variant.Request.HasOneLight == (variant.Name == AutoOfOneLight));
+    }
+  }
+}
+
 TEST_CASE("Steps are voxels, and lights copies of the first that are as bright together")
 {
   const TemporaryFolder folder;
