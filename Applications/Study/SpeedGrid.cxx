@@ -147,7 +147,7 @@ std::vector<SpeedVariant> GetSpeedVariants(const SpeedCell& cell, bool full)
   variants.push_back(ShadowVariant("auto", "soft"));
   if (cell.IsPlainOfFourLights())
   {
-    variants.back().Rounds = RoundsOfFourLights;
+    variants.back().Rounds = cell.Scene.HasBounds ? RoundsOfFourLights : UsualRounds;
     variants.push_back(variants.back());
     variants.back().Name = AutoOfOneLight;
     variants.back().Request.HasOneLight = true;

@@ -78,10 +78,13 @@ public:
     {
       this->Attempt(drawn.Variant.Name, [&] { this->Judge(drawn); });
     }
-    const int rounds = this->Cell.IsPlainOfFourLights() ? RoundsOfFourLights : UsualRounds;
-    for (int round = 0; round < rounds; ++round)
+    for (int round = 0; round < UsualRounds; ++round)
     {
       this->TimeRound();
+    }
+    for (int round = UsualRounds; round < RoundsOfFourLights; ++round)
+    {
+      this->TimeFourLights();
     }
     this->AddRows(this->SecondsOfStockUnlit());
     return this->Result;
@@ -226,6 +229,17 @@ private:
       if (at > 0)
       {
         this->Time(this->All[at]);
+      }
+    }
+  }
+
+  void TimeFourLights()
+  {
+    for (Drawn& drawn : this->All)
+    {
+      if (drawn.Variant.Rounds == RoundsOfFourLights)
+      {
+        this->Time(drawn);
       }
     }
   }

@@ -117,19 +117,20 @@ TEST_CASE("Scenes without axes have the techniques with one light, and auto with
   }
 }
 
-TEST_CASE("Four lights and one of them are timed more often than all else, and as often")
+TEST_CASE("Four lights with bounds, and one of them, are timed more often than all else")
 {
   const TemporaryFolder folder;
-  for (const int lights : { 1, 4 })
+  const int lights = GENERATE(1, 4);
+  for (const bool hasBounds : { false, true })
   {
-    SpeedCell cell = Tree(folder, 22, lights);
-    cell.Edge = 0;
+    SpeedCell cell = Tree(folder, 0, lights);
+    cell.Scene.HasBounds = hasBounds;
     cell.Image = 512;
     for (const SpeedVariant& variant : GetSpeedVariants(cell, false))
     {
-      CAPTURE(lights, variant.Name);
+      CAPTURE(hasBounds, variant.Name);
       const bool isCompared =
-        lights == 4 && (variant.Name == "auto" || variant.Name == AutoOfOneLight);
+        hasBounds && lights == 4 && (variant.Name == "auto" || variant.Name == AutoOfOneLight);
       CHECK((variant.Rounds == RoundsOfFourLights) == isCompared);
       CHECK(variant.Request.HasOneLight == (variant.Name == AutoOfOneLight));
     }
