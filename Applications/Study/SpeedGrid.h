@@ -58,7 +58,7 @@ struct SpeedRequest
 };
 
 constexpr int UsualRounds = 3;
-/// What is held against one another there differs by little more than frames do.
+/// Of auto's frames of four lights and of one, whose bound is near what is measured.
 constexpr int RoundsOfFourLights = 9;
 
 struct SpeedVariant

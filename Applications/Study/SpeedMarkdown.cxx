@@ -16,7 +16,7 @@ using Words = std::vector<std::string>;
 const char* const Head =
   "Times are processor seconds of all threads, medians of three, taken in turn with all others of\n"
   "their scene; \"of unlit\" is in unlit frames of VTK's own mapper of the same scene and sizes.\n"
-  "Four lights' of auto are medians of nine where bounds are, as are one light's beside them.\n"
+  "Where bounds hold, auto's frames of four lights and of one beside them are medians of nine.\n"
   "Steps are one voxel, on view rays and on shadow rays. RMSE and 99.9 % are grey levels of 255\n"
   "against rays with half the shadow step, of \"unlit, 1/4 voxel\" against VTK's picture. "
   "\"Skipping\"\n"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 using namespace penumbra;
 using Catch::Matchers::ContainsSubstring;
@@ -28,6 +29,37 @@ const SpeedRow* Find(const SpeedStudyResult& result, const std::string& variant)
     [&](const SpeedRow& row) { return row.Variant == variant; });
   return found == result.Rows.end() ? nullptr : &*found;
 }
+}
+
+TEST_CASE("Memory is told of few pixels, but by auto of those that are timed")
+{
+  const TemporaryFolder folder;
+  SpeedCell cell = Balls(folder);
+  cell.Image = 512;
+  // In penumbra-render's place: the scenes that it is given are kept.
+  const std::string file =
+    folder.Write("program", "#!/bin/sh\ncp \"$1\" \"${0%program}seen-$$.json\"\nexit 1\n");
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  const RenderProgram program(file, folder.PathOf(""));
+  const SpeedStudyResult result =
+    RunSpeedStudy({ cell }, { folder.PathOf(""), { {}, &program }, {} });
+  int few = 0;
+  int whole = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.PathOf("")))
+  {
+    if (entry.path().filename().string().rfind("seen-", 0) != 0)
+    {
+      continue;
+    }
+    const auto scene = nlohmann::json::parse(std::ifstream(entry.path()));
+    const int edge = scene["image"]["size"][0];
+    few += edge == 16;
+    whole += edge == 512 && scene["shadows"]["technique"] == "auto" &&
+      scene["lights"][0]["shadow"] == "soft";
+  }
+  CHECK(whole == 1);
+  CHECK(few == static_cast<int>(result.Rows.size()) - 1);
+  CHECK_FALSE(Find(result, "auto")->PeakMemory);
 }
 
 TEST_CASE("A small grid is drawn by every technique that there is")

@@ -14,8 +14,6 @@ using namespace penumbra;
 
 namespace
 {
-using Mapper = vtkIlluminatedVolumeMapper;
-
 // Large enough for rays to be dear. Its opacities are those of a unit distance of one voxel.
 std::unique_ptr<IlluminatedScene> MakeScene(double voxel = 1.0, double opacity = 0.6)
 {
